@@ -13,9 +13,8 @@ using leadscrew::testing::ask;
 
 /// The command in bin/ of the folder.
 Surroundings installed(const Folder& folder) {
-  std::filesystem::create_directories(folder.path() / "bin");
   std::filesystem::create_directories(folder.path() / "share/leadscrew/web");
-  std::filesystem::copy_file(LEADSCREW_COMMAND, folder.path() / "bin/leadscrew");
+  install_command(folder);
   return {.command = (folder.path() / "bin/leadscrew").string()};
 }
 
@@ -46,6 +45,22 @@ TEST(Serve, SaysThatThePageIsNotThere) {
   EXPECT_TRUE(contains(outcome.errors, "[io-no-page]") && contains(outcome.errors, "script/web builds it"))
       << outcome.errors;
   EXPECT_EQ(outcome.output, "");
+}
+
+/// The server is a module that the command loads; without one, or with another file of its name, it says so.
+TEST(Serve, SaysThatItsServerIsNotThere) {
+  const Folder folder;
+  const Surroundings surroundings = installed(folder);
+  folder.write("share/leadscrew/web/index.html", "the page");
+  std::filesystem::remove(folder.path() / "bin/leadscrew-serve.so");
+  const auto missing = leadscrew(folder, {"serve", "--port", "0"}, surroundings);
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_TRUE(contains(missing.errors, "this build cannot serve pages [serve-not-built]")) << missing.errors;
+  folder.write("bin/leadscrew-serve.so", "no module");
+  const auto broken = leadscrew(folder, {"serve", "--port", "0"}, surroundings);
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_TRUE(contains(broken.errors, "leadscrew-serve.so") && contains(broken.errors, "[serve-not-built]"))
+      << broken.errors;
 }
 
 TEST(Serve, WantsAPort) {

@@ -21,8 +21,7 @@ class Installed : public Folder {
   Installed() {
     std::filesystem::create_directories(path() / "share/leadscrew/web");
     write("share/leadscrew/web/index.html", "<html><head></head></html>");
-    std::filesystem::create_directory(path() / "bin");
-    std::filesystem::copy_file(LEADSCREW_COMMAND, path() / "bin/leadscrew");
+    install_command(*this);
   }
   Surroundings surroundings() const { return {.command = (path() / "bin/leadscrew").string()}; }
 };
@@ -124,6 +123,36 @@ TEST(DriveServe, ObeysWhoHasTheToken) {
   const Outcome outcome = drive.wait();
   EXPECT_EQ(outcome.status, 130) << outcome.errors;
   EXPECT_EQ(outcome.json()["end"], "stopped");
+}
+
+/// Without a terminal it is the page that lets motion go on, each pause by itself.
+TEST(DriveServe, WaitsAtPausesForWhoHasTheToken) {
+  const Installed folder;
+  folder.write("part.ngc", "G21 G90 F6000\nG1 X1\nM0\nG1 X2\nM1\nX3\nM2\n");
+  Running drive(folder, {"drive", "part.ngc", "--serve", "0", "--control", "--json", "--trace", "driven.csv"},
+                folder.surroundings());
+  const int port = port_of(drive);
+  const std::string token = token_of(drive);
+  const auto viewer = viewer_of(port);
+  for (const char* line : {"3", "5"}) {
+    const std::string stream = viewer->read_until(std::string("\"pause_line\":") + line);
+    EXPECT_EQ(data_of(stream, "end").size(), 0);
+    EXPECT_EQ(post(port, "/live/control", R"({"go_on": true})", token).status, 204);
+  }
+  const auto samples = data_of(viewer->read_until("event: end"), "sample");
+  EXPECT_EQ(samples.back()["position"][0], 3);
+  const Outcome outcome = drive.wait();
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_EQ(outcome.json()["end"], "done");
+  EXPECT_FALSE(places_of(outcome.json()["diagnostics"]).contains("0:0 pause-passed"));
+}
+
+TEST(DriveServe, PassesPausesWhereNobodyMayControl) {
+  const Installed folder;
+  folder.write("part.ngc", "G21 G90 F6000\nG1 X1\nM0\nG1 X2\nM2\n");
+  const Outcome outcome = leadscrew(folder, {"drive", "part.ngc", "--serve", "0", "--json"}, folder.surroundings());
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_TRUE(places_of(outcome.json()["diagnostics"]).contains("0:0 pause-passed")) << outcome.output;
 }
 
 TEST(DriveServe, OnlyShowsWithoutControl) {

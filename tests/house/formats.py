@@ -387,6 +387,7 @@ def check_live(schemas):
     bin.mkdir(parents=True)
     web.mkdir(parents=True)
     shutil.copy(command, bin / "leadscrew")
+    shutil.copy(command.parent / "leadscrew-serve.so", bin)
     (web / "index.html").write_text("<html></html>")
     drive = subprocess.Popen([bin / "leadscrew", "drive", "tip.ngc", "--machine", machines / "table-table-ac.toml", "--serve", "0"],
                              cwd=scratch, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)

@@ -150,7 +150,7 @@ TEST(Control, NeedsTheToken) {
     wishes.emplace_back(body);
     return body != "unknown";
   };
-  const auto server = started(folder, Live{channel, "", "", "key", take});
+  const auto server = started(folder, Live{.channel = channel, .greeting = "", .token = "key", .control = take});
   const std::string key = "X-Leadscrew-Token: key\r\n";
   EXPECT_EQ(post(server->port(), "/live/control", "hold").status, 403);
   EXPECT_EQ(post(server->port(), "/live/control", "hold", "X-Leadscrew-Token: other\r\n").status, 403);
@@ -182,10 +182,15 @@ TEST(Stream, GreetsAndGoesOnWithTheLatestEvent) {
   Channel channel(8);
   channel.publish("event: old\ndata: 0\n\n");
   channel.publish("event: sample\ndata: 1\n\n");
-  const auto server =
-      started(folder, Live{.channel = channel, .greeting = "event: machine\ndata: m\n\n", .program = "G0 X1\n"});
+  const auto server = started(folder, Live{.channel = channel,
+                                           .greeting = "event: machine\ndata: m\n\n",
+                                           .program = "G0 X1\n",
+                                           .machine = "name = \"m\"\n",
+                                           .tools = "T1 P1\n"});
   EXPECT_NE(ask(server->port(), "GET", "/").body.find("leadscrew-live"), std::string::npos);
   EXPECT_EQ(ask(server->port(), "GET", "/live/program").body, "G0 X1\n");
+  EXPECT_EQ(ask(server->port(), "GET", "/live/machine").body, "name = \"m\"\n");
+  EXPECT_EQ(ask(server->port(), "GET", "/live/tools").body, "T1 P1\n");
   HttpClient viewer(server->port());
   viewer.send(http_request("GET", "/live", "localhost:" + std::to_string(server->port())));
   EXPECT_NE(viewer.read_until("data: 1\n").find("event: machine\ndata: m\n\n"), std::string::npos);

@@ -115,6 +115,22 @@ struct Surroundings {
   std::vector<std::string> environment = {};  ///< NAME=value, besides ours without NO_COLOR
 };
 
+/// The command in bin/ of the folder, with the server of pages where there is one.
+inline void install_command(const Folder& folder) {
+  const std::filesystem::path command = LEADSCREW_COMMAND, server = command.parent_path() / "leadscrew-serve.so";
+  std::filesystem::create_directories(folder.path() / "bin");
+  std::filesystem::copy_file(command, folder.path() / "bin/leadscrew");
+  if (std::filesystem::exists(server)) std::filesystem::copy_file(server, folder.path() / "bin/leadscrew-serve.so");
+}
+
+/// Of a command that has no page of the workbench beside it, as where none was built: its reports are its own pages.
+inline Surroundings without_page(const Folder& folder) {
+  const auto command = folder.path() / "alone/leadscrew";
+  std::filesystem::create_directory(command.parent_path());
+  std::filesystem::copy_file(LEADSCREW_COMMAND, command);
+  return {.command = command.string()};
+}
+
 /// Waits until the condition holds; false if it does not within two minutes.
 inline bool eventually(const std::function<bool()>& condition) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(2);

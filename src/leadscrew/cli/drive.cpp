@@ -20,6 +20,8 @@ drive::Setup setup_of(const Job& job, const std::string& program) {
   drive::Setup setup{job.machine,         job.tools, job.reader_options(),     job.text,
                      job.arguments.drive, program,   job.arguments.subprograms};
   setup.reading.repeats = true;
+  setup.machine_file = job.machine_text();
+  setup.tool_table = job.tools_text();
   return setup;
 }
 
@@ -40,7 +42,8 @@ class ProgramDrive {
     if (auto sound = drive::check_machine(setup_); !sound) return failed(sound.error());
     const Reading reading = live ? Reading{} : read_program(*file, job_, console_, log_);
     if (log_.errors() > 0) return std::nullopt;
-    if (reading.pauses > 0 && !can_wait()) {
+    const bool page_waits = job_.arguments.serve.port && job_.arguments.serve.control;
+    if (reading.pauses > 0 && !can_wait() && !page_waits) {
       log_.add(
           {base::Severity::note, "pause-passed", "M0 and M1 do not pause: no key can be pressed here", {}, {}, {}});
     }

@@ -21,8 +21,9 @@ constexpr std::string_view drive_examples =
     "on the path; after a second one no more words are made. The drives are simulated by a process of their own: when\n"
     "words cease, they come to rest by themselves, on the path and within the limits of every axis. Without a "
     "terminal,\n"
-    "and with --quiet, M0 and M1 do not pause. What was in the file of --sink is gone. A pipe that is full holds\n"
-    "motion back, word by word; behind it, whoever moves must come to rest by itself when words cease.\n";
+    "and with --quiet, M0 and M1 pause only under --serve --control, for the page. What was in the file of --sink is\n"
+    "gone. A pipe that is full holds motion back, word by word; behind it, whoever moves must come to rest by itself\n"
+    "when words cease.\n";
 
 /// 100ms, 0.3s or 0.3.
 Parsed<double> parse_seconds(std::string_view text, double least, double greatest) {

@@ -132,11 +132,13 @@ gcode::ReaderOptions Job::reader_options(const files::InputFile& file) const {
 }
 
 std::optional<Job> prepare_job(const Arguments& arguments, DiagnosticLog& log) {
-  Job job{arguments, machine::mill3(), {}, {}, {}};
+  Job job{arguments, machine::mill3(), {}, {}, {}, 0, 0};
   if (arguments.machine && *arguments.machine != built_in) {
     job.machine = read_machine_file(*arguments.machine, job.text, log);
   }
+  job.machine_end = job.text.size();
   if (arguments.tools) job.tools = read_tools(*arguments.tools, job.text, log);
+  job.tools_end = job.text.size();
   if (arguments.parameters) job.parameters = read_parameters(*arguments.parameters, job.text, log);
   if (log.errors() > 0) return std::nullopt;
   if (arguments.period) job.machine.period = *arguments.period;

@@ -23,8 +23,11 @@ struct Job {
   Arguments arguments;
   machine::Machine machine;  ///< with the period of the command line
   machine::ToolTable tools;
-  base::AxisVector start{};                        ///< machine coordinates, mm or degrees
-  std::string text;                                ///< of the machine file, the tool table and the parameter file
+  base::AxisVector start{};                    ///< machine coordinates, mm or degrees
+  std::string text;                            ///< of the machine file, the tool table and the parameter file
+  std::size_t machine_end = 0, tools_end = 0;  ///< where the first two end in it
+  std::string machine_text() const { return text.substr(0, machine_end); }  ///< empty of the built-in mill
+  std::string tools_text() const { return text.substr(machine_end, tools_end - machine_end); }
   std::vector<gcode::NumberedValue> parameters{};  ///< where a program begins
   /// Of its surfaces, by all readings of a program.
   std::shared_ptr<gcode::SurfaceDrafts> surface_drafts = gcode::new_surface_drafts();

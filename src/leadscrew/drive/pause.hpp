@@ -1,5 +1,6 @@
 #pragma once
-// M0, M1 and M60 on a terminal: the planner's thread asks before each chunk, the view's answers when a key says so.
+// M0, M1 and M60 on a terminal or a page: the planner's thread asks before each chunk, the one that drives answers when a key or
+// a viewer says so.
 
 #include <algorithm>
 #include <atomic>
@@ -19,14 +20,18 @@ class Pause {
     return pause == chunk.events.end() ? std::nullopt : std::optional(pause->line);
   }
 
-  /// May motion go on with this chunk? Asked again until it may: there may be more than one pause before it.
+  /// May motion go on with this chunk? Asked again until it may: there may be more than one pause before it. And once more
+  /// where the chunk then could not be handed over: it may.
   bool may_start(const planner::Chunk& chunk) {
-    if (!line_before(chunk)) return true;
+    const std::optional<base::Line> first = line_before(chunk);
+    if (!first || first == let_) return true;
     if (goes_on_.exchange(false, std::memory_order_acq_rel)) ++passed_;
     const std::optional<base::Line> line = line_before(chunk, passed_);
     line_.store(line ? base::number(*line) : nowhere, std::memory_order_release);
-    if (!line) passed_ = 0;
-    return !line;
+    if (line) return false;
+    passed_ = 0;
+    let_ = first;
+    return true;
   }
 
   /// Of the pause where motion waits, or will.
@@ -40,7 +45,10 @@ class Pause {
   static constexpr std::int64_t nowhere = -1;
   std::atomic<std::int64_t> line_{nowhere};
   std::atomic<bool> goes_on_{false};
-  int passed_ = 0;  ///< before the same chunk; the planner's
+  // The planner's:
+  int passed_ = 0;  ///< before the same chunk
+  std::optional<base::Line>
+      let_;  ///< the first pause before the last chunk that had any and might go on; no other has its visit
 };
 
 }  // namespace leadscrew::drive

@@ -39,6 +39,10 @@ struct Setup {
 
   std::vector<std::string> subprograms = {};  ///< folders of subprograms
 
+  // For whoever looks on; texts.
+  std::string machine_file = {};  ///< empty of the built-in mill
+  std::string tool_table = {};    ///< empty where there is none
+
   // Of the reading that words are made of, by a thread of its own: as in gcode::ReaderOptions.
   gcode::RemarkSink remarks = {};
   std::function<void(const std::vector<gcode::NumberedValue>&)> parameters_at_end = {};

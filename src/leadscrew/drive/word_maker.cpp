@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/live_program.hpp>
+#include <leadscrew/drive/pause.hpp>
 #include <leadscrew/drive/word_maker.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/realtime/schedule.hpp>
@@ -91,8 +92,10 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
                               .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
                               .lets =
                                   [this, may_start = std::move(may_start)](const planner::Chunk& chunk) {
-                                    if (!inputs_let(chunk) || (may_start && !may_start(chunk))) return false;
+                                    if (!inputs_let(chunk)) return false;
+                                    if (may_start && !(stands_before(chunk) && may_start(chunk))) return false;
                                     input_wait_.end();
+                                    stood_since_.reset();
                                     return true;
                                   },
                               .slice = [this](double seconds) { source_.planner().slice(seconds); },
@@ -106,6 +109,14 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
 
 bool WordMaker::inputs_let(const planner::Chunk& chunk) {
   return input_wait_.may_start(chunk, runner_->counters().seconds_ahead <= 0, lead_, realtime::now());
+}
+
+bool WordMaker::stands_before(const planner::Chunk& chunk) {
+  if (!Pause::line_before(chunk)) return true;
+  if (runner_->counters().seconds_ahead > 0) return false;
+  const std::int64_t now = realtime::now();
+  if (!stood_since_) stood_since_ = now;
+  return static_cast<double>(now - *stood_since_) >= lead_ * 1e9;
 }
 
 std::optional<planner::Chunk> WordMaker::next_chunk() {

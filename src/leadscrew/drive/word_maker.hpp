@@ -63,14 +63,17 @@ class WordMaker {
   realtime::Planning planning(MayStart may_start);
   std::optional<planner::Chunk> next_chunk();
   bool inputs_let(const planner::Chunk& chunk);
+  /// Have the drives come to where a chunk with a pause before it begins? Who is asked sees them stand there. True of others.
+  bool stands_before(const planner::Chunk& chunk);
 
   const files::InputFile& program_;
   std::atomic<std::int64_t> bytes_read_{0};
   std::unique_ptr<LiveProgram> live_;  ///< none: the program was read before
   pipeline::MotionSource source_;      ///< the planner's thread's, from start() to conclude()
   std::atomic<bool> has_failed_{false};
-  InputWait input_wait_;  ///< the planner's thread's
-  const double lead_;     ///< s that words are made ahead of their time
+  InputWait input_wait_;                     ///< the planner's thread's
+  std::optional<std::int64_t> stood_since_;  ///< ns, before a pause; the planner's thread's
+  const double lead_;                        ///< s that words are made ahead of their time
   GuardedSink sink_;
   std::optional<realtime::Runner> runner_;
   realtime::Counters counters_;

@@ -53,8 +53,12 @@ base::Result<std::unique_ptr<DriveStream>> DriveStream::open(const files::InputF
   if (options.may_control) stream->token_ = new_secret();
   if (stream->token_ && stream->token_->empty())
     return base::failure(base::problem("io-open", "the system gives no random numbers for a token", {}));
-  Live live{stream->channel_, machine_event(setup.machine, {program.name(), !text->empty(), options.may_control}),
-            std::move(*text), stream->token_,
+  Live live{stream->channel_,
+            machine_event(setup.machine, {program.name(), !text->empty(), options.may_control}),
+            std::move(*text),
+            setup.machine_file,
+            setup.tool_table,
+            stream->token_,
             [&stream = *stream](std::string_view body) { return stream.control(body); }};
   auto server = Server::open(std::move(*page), options.port, std::move(live));
   if (!server) return base::failure(server.error());
@@ -88,6 +92,8 @@ drive::Onlooker DriveStream::join(const drive::Onlooker& onlooker) {
     const bool is_unwanted = ask && ask(maker, runner);
     return obey(maker, runner) || is_unwanted;
   };
+  if (token_ && !joined.may_start)
+    joined.may_start = [this](const planner::Chunk& chunk) { return wishes_.pause.may_start(chunk); };
   joined.at_end = [this, end = onlooker.at_end] {
     channel_.publish(sample_event(setup_.machine, last_, state_));
     channel_.publish(end_event());

@@ -36,7 +36,7 @@ class DriveStream {
   /// Where it is looked at, and the token, for people.
   std::string text() const;
 
-  /// The same onlooker, with the viewers beside. This outlives it.
+  /// The same onlooker, with the viewers beside; where they may control, motion waits at pauses for them too. This outlives it.
   drive::Onlooker join(const drive::Onlooker& onlooker);
 
  private:

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <leadscrew/files/beside_command.hpp>
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/serve/page.hpp>
 #include <utility>
@@ -87,10 +88,8 @@ base::Result<std::filesystem::path> page_folder(const std::filesystem::path& com
 }
 
 base::Result<std::filesystem::path> page_folder() {
-  std::error_code error;
-  const auto command = std::filesystem::read_symlink("/proc/self/exe", error);
-  if (error) return unreadable("/proc/self/exe", error);
-  return page_folder(command.parent_path());
+  const auto command = files::command_folder();
+  return command ? page_folder(*command) : base::failure(command.error());
 }
 
 }  // namespace leadscrew::serve

@@ -1,4 +1,4 @@
-// The server by cpp-httplib. Everything is settled before its own routing, and by a connection of ours.
+// The server by cpp-httplib, in a module of its own (server_load.cpp). Everything is settled before its own routing, and by a connection of ours.
 
 #include <fmt/format.h>
 #include <httplib.h>
@@ -104,14 +104,22 @@ class HttpServer : public Server, private httplib::Server {
       return answer_wish(request, response);
     } else if (live_ && request.path == "/live") {
       answer_viewer(request, response);
-    } else if (live_ && request.path == "/live/program") {
-      give(response, live_->program, "text/plain; charset=utf-8");
+    } else if (const std::string* text = text_at(request.path)) {
+      give(response, *text, "text/plain; charset=utf-8");
     } else if (const PageFile* file = page_.find(request.path)) {
       give(response, file->text, file->type);
     } else {
       end(response, 404, "there is no such page");
     }
     return true;
+  }
+
+  /// Of what is driven; null where there is no such text.
+  const std::string* text_at(const std::string& path) const {
+    if (!live_) return nullptr;
+    if (path == "/live/program") return &live_->program;
+    if (path == "/live/machine") return &live_->machine;
+    return path == "/live/tools" ? &live_->tools : nullptr;
   }
 
   bool answer_wish(const httplib::Request& request, httplib::Response& response) {
@@ -182,10 +190,14 @@ class HttpServer : public Server, private httplib::Server {
 
 }  // namespace
 
-base::Result<std::unique_ptr<Server>> Server::open(Page page, int port, std::optional<Live> live) {
-  auto server = std::make_unique<HttpServer>(std::move(page), std::move(live));
-  if (auto bound = server->bind(port); !bound) return base::failure(bound.error());
-  return server;
-}
-
 }  // namespace leadscrew::serve
+
+extern "C" void leadscrew_open_server(leadscrew::serve::Page& page, int port,
+                                      std::optional<leadscrew::serve::Live>& live,
+                                      leadscrew::base::Result<std::unique_ptr<leadscrew::serve::Server>>& opened) {
+  auto server = std::make_unique<leadscrew::serve::HttpServer>(std::move(page), std::move(live));
+  if (auto bound = server->bind(port); !bound)
+    opened = leadscrew::base::failure(bound.error());
+  else
+    opened = std::move(server);
+}
