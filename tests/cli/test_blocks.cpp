@@ -31,7 +31,8 @@ TEST(Blocks, AndRapidsAreDrawnFromTheSameWords) {
   folder.write("part.ngc", "G21 G90 G64 P0.1\nG0 X5 Z5\nG1 X10 Y3 F900\nM8\nX30 F600\nG0 X40 Y9\nG1 X0\nM2\n");
   leadscrew(folder, {"run", "part.ngc", "--trace", "t.csv", "--events", "e.csv"});
   const Outcome drawn = leadscrew(
-      folder, {"run", "part.ngc", "--trace", "d.csv", "--events", "f.csv", "--report", "r.html", "--picture", "p.svg"});
+      folder, {"run", "part.ngc", "--trace", "d.csv", "--events", "f.csv", "--report", "r.html", "--picture", "p.svg"},
+      without_page(folder));
   ASSERT_EQ(drawn.status, 0) << drawn.errors;
   EXPECT_EQ(folder.read("t.csv"), folder.read("d.csv"));
   EXPECT_EQ(folder.read("e.csv"), folder.read("f.csv"));
@@ -49,7 +50,8 @@ TEST(Blocks, AreToldByFileLineAndVisit) {
   folder.write("sub.ngc", "o<sub> sub\nG1 X[#1] (of a file)\no<sub> endsub\nM2\n");
   folder.write("part.ngc", "G61.1 F600\no1 repeat [2]\nG1 X1 (own)\no<sub> call [5]\no1 endrepeat\nM2\n");
   const Outcome run =
-      leadscrew(folder, {"run", "part.ngc", "--blocks", "b.csv", "--report", "r.html", "--trace", "t.csv", "--json"});
+      leadscrew(folder, {"run", "part.ngc", "--blocks", "b.csv", "--report", "r.html", "--trace", "t.csv", "--json"},
+                without_page(folder));
   ASSERT_EQ(run.status, 0) << run.errors;
   std::istringstream rows(folder.read("b.csv"));
   std::string told, row;

@@ -59,11 +59,12 @@ TEST(CheckGouge, EndsWith1WhereTheToolIsTooLarge) {
 TEST(CheckGouge, IsShownInTheReportOfARun) {
   const Folder folder;
   folder.write("tools.tbl", tools);
+  const Surroundings surroundings = without_page(folder);
   const auto page_of = [&](const std::string& text, bool may_gouge) {
     folder.write("part.ngc", text);
     std::vector<std::string> words = {"run", "part.ngc", "--tools", "tools.tbl", "--report", "part.html"};
     if (may_gouge) words.emplace_back("--allow-gouge");
-    const auto outcome = leadscrew(folder, words);
+    const auto outcome = leadscrew(folder, words, surroundings);
     EXPECT_EQ(outcome.status, 0) << outcome.errors;
     return folder.read("part.html");
   };

@@ -5,6 +5,7 @@
 Every schema must fit some output, and every key of every schema must occur in one. That a schema would object is seen
 each time: to a key that is missing, and to one that it does not know.
 """
+import base64
 import copy
 import csv
 import json
@@ -223,6 +224,48 @@ def check_runs(schemas):
     json_of(schemas, "check", "check", "says.ngc")
     json_of(schemas, "check", "check", "--gouge", "gouge.ngc", "--tools", "shapes.tbl", status=1)
     json_of(schemas, "check", "check", "bad.ngc", status=3)
+
+
+def check_recordings(schemas):
+    """Of a page that stands beside the command as it is installed, the result and the words are those of the run."""
+    beside = scratch / "installed"
+    (beside / "bin").mkdir(parents=True)
+    (beside / "share/leadscrew").mkdir(parents=True)
+    installed = shutil.copy(command, beside / "bin/leadscrew")
+    begin, end = '<script type="application/json" id="recording">', "</script>"
+    (beside / "share/leadscrew/program.html").write_text(f"<title>page</title>{begin}{end}<p>behind</p>\n", encoding="utf-8")
+    (scratch / "marks.ngc").write_text("(</script><!-- & )\nG21 G90 G43.1 Z3\nG1 X1 F600\nG0 X0\nM2\n")
+    for words, status in ((["marks.ngc"], 0), ([examples / "03-arcs-in-three-planes.ngc"], 0),
+                          (["gouge.ngc", "--tools", "shapes.tbl", "--allow-gouge"], 0),
+                          (["tip.ngc", "--machine", machines / "table-table-ac.toml"], 0)):
+        line = [installed, "run", *map(str, words), "--report", "page.html", "--trace", "page.csv", "--json"]
+        done = subprocess.run(line, cwd=scratch, capture_output=True, text=True)
+        check(done.returncode == status, f"{line}: ended with {done.returncode}\n{done.stderr}")
+        text = (scratch / "page.html").read_text(encoding="utf-8")
+        check(text.count(end) == 1 and text.endswith("<p>behind</p>\n"), "a recording ends its element")
+        recording = json.loads(text[text.index(begin) + len(begin):text.index(end)])
+        schemas.fit("recording", recording, f"the page of {words[0]}")
+        check(recording["result"] == json.loads(done.stdout), f"the page of {words[0]} has another result than was printed")
+        check(recording["text"] == (scratch / words[0]).read_text(encoding="utf-8"), f"the page of {words[0]} has another text")
+        check_samples(recording, words[0])
+
+
+def check_samples(recording, program):
+    samples, (header, *rows) = recording["samples"], rows_of("page.csv")
+    every, count = samples["words_each"], samples["count"]
+    check(count <= 65536 and count == -(-(len(rows) - 1) // every) + 1, f"the page of {program} has {count} samples each {every}")
+    taken = numpy.array([rows[min(i * every, len(rows) - 1)] for i in range(count)], dtype=float)
+    for name, kind, columns in (("position", "<f8", samples["axes"]), ("feed", "<f8", ["feed"]), ("s", "<f8", ["s"]),
+                                ("line", "<i4", ["line"])):
+        told = numpy.frombuffer(base64.b64decode(samples[name]), dtype=kind).reshape(count, len(columns))
+        check(numpy.array_equal(told, taken[:, [header.index(each) for each in columns]]), f"{program}: {name} is not the trace's")
+    poses = numpy.frombuffer(base64.b64decode(samples["tip"]), dtype="<f4").reshape(count, 3)
+    if "tx" in header:
+        check(numpy.allclose(poses, taken[:, [header.index(each) for each in POSES[:3]]], atol=1e-4), f"{program}: another tip")
+    blocks = recording["blocks"]
+    seconds = numpy.frombuffer(base64.b64decode(blocks["seconds"]), dtype="<f8")
+    check(len(seconds) == blocks["count"] and abs(seconds.sum() - recording["result"]["time_s"]) < 1e-6,
+          f"{program}: blocks take {seconds.sum()} s of {recording['result']['time_s']}")
 
 
 def check_traces(schemas):
@@ -529,6 +572,7 @@ def main():
     prepare()
     schemas = Schemas(source / "docs/schemas")
     check_runs(schemas)
+    check_recordings(schemas)
     check_traces(schemas)
     check_tables()
     check_measures(schemas)

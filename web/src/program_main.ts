@@ -1,6 +1,7 @@
 // The program's page.
 
 import { PlannerClient } from "./engine/planner_client";
+import { recordingOfPage } from "./engine/recording";
 import { Workbench } from "./program/workbench";
 import "uplot/dist/uPlot.min.css";
 import "./style/page.css";
@@ -10,5 +11,5 @@ import { show } from "./ui/shell";
 
 void show(async () => {
   const planner = await PlannerClient.open();
-  return await Workbench.open(planner);
+  return await Workbench.open(planner, recordingOfPage());
 });

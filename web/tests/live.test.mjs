@@ -7,19 +7,31 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { seriousFindings } from "./axe.mjs";
-import { built, command, openBrowser } from "./browser.mjs";
+import { built, command, openBrowser, root } from "./browser.mjs";
 import { downloaded, figure, openProgram } from "./program.mjs";
 
 // Along X at Y 5, for minutes: it is always stopped.
 const text = `G21 G90 F600\nG0 Y5\n${"G1 X200\nX0\n".repeat(10)}M2\n`;
 
-let browser, folder, drive, address, token, ended;
+let browser, folder;
+const drives = [];
 before(async () => {
   browser = await openBrowser();
   folder = mkdtempSync(join(tmpdir(), "leadscrew-live-"));
+});
+after(async () => {
+  await browser?.close();
+  for (const drive of drives) drive.kill("SIGKILL");
+  rmSync(folder, { recursive: true });
+});
+
+/** {address, token, ended}, the last a promise of the status. */
+async function driven(text, ...options) {
   writeFileSync(join(folder, "driven.ngc"), text);
-  drive = spawn(command, ["drive", "driven.ngc", "--serve", "0", "--control", "--quiet"], { cwd: folder });
-  ended = new Promise((resolve) => drive.on("exit", resolve));
+  const args = ["drive", "driven.ngc", "--serve", "0", "--control", "--quiet", ...options];
+  const drive = spawn(command, args, { cwd: folder });
+  drives.push(drive);
+  const ended = new Promise((resolve) => drive.on("exit", resolve));
   const told = await new Promise((resolve, reject) => {
     let all = "";
     drive.stderr.on("data", (data) => {
@@ -28,13 +40,9 @@ before(async () => {
     });
     drive.on("exit", () => reject(new Error(all)));
   });
-  [, address, token] = /live at (\S+), token (\S+)/.exec(told);
-});
-after(async () => {
-  await browser?.close();
-  drive?.kill("SIGKILL");
-  rmSync(folder, { recursive: true });
-});
+  const [, address, token] = /live at (\S+), token (\S+)/.exec(told);
+  return { address, token, ended };
+}
 
 const live = (page, name) => figure(page, name, "live");
 
@@ -43,6 +51,7 @@ async function comesTo(page, state) {
 }
 
 test("the machine is seen, its program planned, and whoever has the token controls it", async () => {
+  const { address, token, ended } = await driven(text);
   const { page, strays, failures, close } = await openProgram(browser, address);
   await page.waitForFunction(() => document.querySelector("#live-said").textContent.includes("driven.ngc on mill3"));
   await comesTo(page, "moving");
@@ -92,5 +101,46 @@ test("the machine is seen, its program planned, and whoever has the token contro
   await page.click("#live-stop");
   await page.waitForFunction(() => document.querySelector("#live-said").textContent === "It has ended");
   assert.equal(await ended, 130);
+  await close();
+});
+
+test("a pause waits for the page, without a terminal", async () => {
+  const { address, token, ended } = await driven("G21 G90 F6000\nG1 X1\nM0\nG1 X2\nM2\n");
+  const { page, close } = await openProgram(browser, address);
+  await comesTo(page, "paused");
+  assert.match(await live(page, "State"), /line 3$/);
+  await page.fill("#live-token", token);
+  await page.click("#live-go-on");
+  await page.waitForFunction(() => document.querySelector("#live-said").textContent === "It has ended");
+  assert.equal(await live(page, "X"), "2.000");
+  assert.equal(await ended, 0);
+  await close();
+});
+
+test("of five axes program and tool are seen as well: its shape, its tip and its direction", async () => {
+  writeFileSync(join(folder, "tools.tbl"), "T2 P2 D10 R5 Z30 L40 H50 K60\n");
+  const moves = "G1 X20 Y5 A-30 C40\nX0 A0 C0\n".repeat(20);
+  const { address, token, ended } = await driven(
+    `G21 G90 F600\nT2 M6\nG43.4 H2\n${moves}G49\nM2\n`,
+    "--machine",
+    join(root, "machines/table-table-ac.toml"),
+    "--tools",
+    "tools.tbl",
+  );
+  const { page, failures, close } = await openProgram(browser, address);
+  await page.waitForFunction(() => document.querySelector(".program").dataset.state === "ready");
+  assert.match(await page.textContent(".machine"), /C/);
+  await page.waitForFunction(() => {
+    const [tool, , , , i, j, k] = (document.querySelector("#space").dataset.tool ?? "").split(" ");
+    const [x, y, z] = [i, j, k].map(Number);
+    return tool === "T2" && z < 0.999 && Math.abs(Math.hypot(x, y, z) - 1) < 2e-3;
+  });
+  const tip = (await page.getAttribute("#space", "data-tool")).split(" ").slice(1, 4).map(Number);
+  assert.ok(tip[0] > -0.5 && tip[0] < 20.5 && Math.abs(tip[2] + 30) < 0.5, `the tip is at ${tip}`);
+  await page.screenshot({ path: join(built, "screenshots", "live-five-axes.png"), fullPage: true });
+  await page.fill("#live-token", token);
+  await page.click("#live-stop");
+  assert.equal(await ended, 130);
+  assert.deepEqual(failures, []);
   await close();
 });

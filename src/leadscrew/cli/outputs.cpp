@@ -7,7 +7,6 @@
 #include <leadscrew/cli/outputs.hpp>
 #include <leadscrew/cli/programs.hpp>
 #include <leadscrew/files/same_output.hpp>
-#include <leadscrew/results/report_form.hpp>
 
 namespace leadscrew::cli {
 
@@ -95,8 +94,14 @@ bool is_in_use(const std::string& path, const std::string& program, const Output
 }
 
 base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
-  Outputs outputs(paths, job);
+  using Shows = results::ReportOutput::Shows;
   const bool follows = job.arguments.verb == Arguments::Verb::simulate;
+  const Shows shows = follows                                      ? Shows::slides
+                      : job.arguments.verb == Arguments::Verb::run ? Shows::words
+                                                                   : Shows::trace;
+  auto shown = results::ReportOutput::open({paths.report, paths.picture, paths.charts}, job.machine, shows);
+  if (!shown) return base::failure(shown.error());
+  Outputs outputs(paths, job, std::move(*shown));
   if (paths.trace) {
     const trace::MoreColumns columns{
         .actual = follows, .power = job.machine.laser.has_value(), .pose = job.machine.rotary_chain.has_value()};
@@ -112,27 +117,17 @@ base::Result<Outputs> Outputs::open(const OutputPaths& paths, const Job& job) {
     if (auto opened = outputs.events_.open(*paths.events, job.machine.period); !opened)
       return base::failure(opened.error());
   }
-  for (const auto& [path, output] : {std::pair(&paths.report, &outputs.report_),
-                                     {&paths.picture, &outputs.picture_},
-                                     {&paths.charts, &outputs.charts_}}) {
-    if (!*path) continue;
-    auto file = create(**path, files::OutputFile::Access::sequential);
-    if (!file) return base::failure(file.error());
-    *output = std::move(*file);
-    if (!outputs.recording_) outputs.recording_.emplace(job.machine, job.machine.period);
-  }
-  if (follows && outputs.report_) outputs.followed_.emplace(job.machine.axis_set());
   return outputs;
 }
 
 base::Result<void> Outputs::write(const servo::Followed& followed, double measured_feed) {
-  if (followed_) followed_->observe(results::followed_axes(followed), measured_feed);
+  shown_.observe(followed, measured_feed);
   return write(followed.word, {followed.position, followed.velocity, followed.control, followed.current});
 }
 
 base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWord& beside) {
   const auto pose = poses_.of(word);
-  if (recording_) recording_->observe(word, pose ? &pose->tip : nullptr);
+  shown_.observe(word, pose);
   if (steps_) {
     if (auto written = steps_->write(word); !written) return written;
   }
@@ -144,7 +139,7 @@ base::Result<void> Outputs::write(const base::Word& word, const trace::BesideWor
 void Outputs::write(const base::PassedEvent& event) {
   trace_.observe(event);
   poses_.observe(event);
-  if (recording_) recording_->observe(event);
+  shown_.observe(event);
   static_cast<void>(events_.write(event));
 }
 
@@ -158,27 +153,17 @@ base::Result<void> Outputs::open_blocks(const files::InputFile& program) {
 }
 
 pipeline::LostTime::Sink Outputs::blocks() {
-  if (!blocks_ && !recording_) return {};
+  if (!blocks_ && shown_.recording() == nullptr) return {};
   return [this](const pipeline::BlockTime& block) {
     if (blocks_) blocks_->write(block);
-    if (!recording_) return;
-    report::LostBlock lost = results::lost_block(block);
-    if (const auto pose = poses_.of(lost.middle)) lost.middle = pose->tip;
-    recording_->observe(lost);
+    const auto pose = poses_.of(block.middle);
+    shown_.observe(block, pose ? pose->tip : block.middle);
   };
 }
 
-base::Result<void> Outputs::write_pages(const report::Report& report) {
-  if (report_) {
-    auto written =
-        report::write_report(report, *recording_, job_->machine, job_->machine.period, report_->sink(), followed());
-    if (!written) return written;
-  }
-  if (picture_) {
-    if (auto written = report::write_path_svg(report.title, *recording_, picture_->sink()); !written) return written;
-  }
-  return charts_ ? report::write_motion_charts(report.title, *recording_, job_->machine, charts_->sink())
-                 : base::Result<void>();
+results::ReportParts Outputs::report_parts(const files::InputFile& program, const DiagnosticLog& log) const {
+  return {program,           job_->arguments.command_line, log.all(), *shown_.recording(), job_->machine_text(),
+          job_->tools_text()};
 }
 
 std::optional<results::StepFigures> Outputs::step_figures() const {
@@ -193,8 +178,8 @@ base::Result<std::vector<std::string>> Outputs::publish() {
     if (auto finished = blocks_->finish(); !finished) return base::failure(finished.error());
   }
   files::OutputFile* const steps = steps_ ? &steps_->file() : nullptr;
-  const auto written = {trace_.file(), trace_.side(), report_.get(),  picture_.get(),
-                        charts_.get(), steps,         events_.file(), blocks_file_.get()};
+  const auto written = {trace_.file(),   trace_.side(), shown_.report(), shown_.picture(),
+                        shown_.charts(), steps,         events_.file(),  blocks_file_.get()};
   if (auto published = files::publish_together(written); !published) return base::failure(published.error());
   std::vector<std::string> paths;
   for (const files::OutputFile* file : written) {

@@ -12,10 +12,8 @@
 #include <leadscrew/files/word_file.hpp>
 #include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
-#include <leadscrew/report/recording.hpp>
-#include <leadscrew/report/report.hpp>
 #include <leadscrew/results/block_writer.hpp>
-#include <leadscrew/results/report_form.hpp>
+#include <leadscrew/results/report_output.hpp>
 #include <leadscrew/servo/servo.hpp>
 #include <memory>
 #include <optional>
@@ -68,10 +66,8 @@ class Outputs {
   /// Writes a row of it, and tells the recording; empty where neither was asked for. Of these outputs, where they are.
   pipeline::LostTime::Sink blocks();
 
-  /// What a report and a picture are made of; null where neither was asked for.
-  const report::Recording* recording() const { return recording_ ? &*recording_ : nullptr; }
-  /// What a report of slides shows beside; null where there is none.
-  report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
+  /// The report, the picture and the charts, whichever were asked for.
+  results::ReportOutput& shown() { return shown_; }
   /// Writes the steps that are left.
   base::Result<void> finish_steps(const files::InputFile& program) {
     return steps_ ? steps_->finish(program) : base::Result<void>();
@@ -82,10 +78,8 @@ class Outputs {
   template <class Figures>
   base::Result<void> conclude(const files::InputFile& program, const DiagnosticLog& log, Figures& figures) {
     if (auto same = program.unchanged(); !same) return same;
-    if (recording_) {
-      const auto report = results::report_of({program, job_->arguments.command_line, log.all(), *recording_}, figures);
-      if (!report) return base::failure(report.error());
-      if (auto written = write_pages(*report); !written) return written;
+    if (shown_.recording() != nullptr) {
+      if (auto written = shown_.write(report_parts(program, log), figures); !written) return written;
     }
     if (files::interrupted()) return base::failure(files::interruption());
     auto files = publish();
@@ -95,24 +89,22 @@ class Outputs {
   }
 
  private:
-  /// Writes the report, the picture and the charts, whichever was asked for.
-  base::Result<void> write_pages(const report::Report& report);
+  results::ReportParts report_parts(const files::InputFile& program, const DiagnosticLog& log) const;
   /// Ends the trace and gives all files their names; returns these.
   base::Result<std::vector<std::string>> publish();
 
-  Outputs(const OutputPaths& paths, const Job& job) : job_(&job), poses_(job.machine), blocks_path_(paths.blocks) {}
+  Outputs(const OutputPaths& paths, const Job& job, results::ReportOutput shown)
+      : job_(&job), poses_(job.machine), shown_(std::move(shown)), blocks_path_(paths.blocks) {}
 
   const Job* job_;
   kinematics::WordPoses poses_;
   files::WordFile trace_;
   files::EventFile events_;
-  std::unique_ptr<files::OutputFile> report_, picture_, charts_;  ///< their sinks refer to them
+  results::ReportOutput shown_;
   std::optional<std::string> blocks_path_;
   std::unique_ptr<files::OutputFile> blocks_file_;
   std::unique_ptr<results::BlockWriter> blocks_;
   std::unique_ptr<StepOutput> steps_;
-  std::optional<report::Recording> recording_;
-  std::optional<report::FollowedRecording> followed_;
 };
 
 }  // namespace leadscrew::cli

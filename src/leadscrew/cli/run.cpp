@@ -53,7 +53,8 @@ class ProgramRun {
     if (!figures) return figures;
     if (auto written = outputs->finish_steps(file); !written) return base::failure(written.error());
     figures->steps = outputs->step_figures();
-    if (job_.arguments.allow_gouge && outputs->recording() != nullptr) figures->gouging = gouging_of(file, job_);
+    if (job_.arguments.allow_gouge && outputs->shown().recording() != nullptr)
+      figures->gouging = gouging_of(file, job_);
     if (auto done = outputs->conclude(file, log_, *figures); !done) return base::failure(done.error());
     auto logs = remarks.publish();
     if (!logs) return base::failure(logs.error());
@@ -75,11 +76,14 @@ class ProgramRun {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     program.on_event([&](const base::PassedEvent& event) { outputs.write(event); });
-    if (job_.machine.rotary_chain) program.tell_tool();
-    if (outputs.recording() != nullptr) program.tell_feed();
+    const bool is_shown = outputs.shown().recording() != nullptr;
+    if (job_.machine.rotary_chain || is_shown) program.tell_tool();
+    if (is_shown) program.tell_feed();
     if (auto opened = outputs.open_blocks(file); !opened) return base::failure(opened.error());
     pipeline::LostTime lost(job_.machine, outputs.blocks());
-    program.on_move([&](const gcode::Move& move) { lost.observe(move); });
+    program.on_move([&](const gcode::Move& move) {
+      if (lost.observe(move)) outputs.shown().expect(program.machined());
+    });
     program.step_by(job_.arguments.run.interpolator);
     gcode::Reader reader = silent_reader(file, job_);
     referee::Referee referee([&](gcode::Move& move) { return reader.next(move); }, job_.machine, job_.machine.period,

@@ -44,8 +44,8 @@ class Simulation {
     if (!outputs) return base::failure(outputs.error());
     auto figures = follow_words(file, *outputs);
     if (!figures) return figures;
-    if (outputs->followed() != nullptr)
-      results::observe_ideal_path(silent_reader(file, job_), job_.machine, job_.start, *outputs->followed());
+    if (outputs->shown().followed() != nullptr)
+      results::observe_ideal_path(silent_reader(file, job_), job_.machine, job_.start, *outputs->shown().followed());
     if (auto done = outputs->conclude(file, log_, *figures); !done) return base::failure(done.error());
     return figures;
   }
@@ -57,7 +57,7 @@ class Simulation {
     program.watch([&] { return file.unchanged(); });
     program.stop_when(files::interrupted);
     if (job_.machine.rotary_chain) program.tell_tool();
-    if (outputs.recording() != nullptr) program.tell_feed();
+    if (outputs.shown().recording() != nullptr) program.tell_feed();
     gcode::Reader reader = silent_reader(file, job_);
     const drive::LoopKind kind = job_.arguments.simulate.pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
     auto slides = drive::Slides::create(job_.machine, kind, [&](gcode::Move& move) { return reader.next(move); });
@@ -110,9 +110,9 @@ class Simulation {
   }
 
   static void record(const std::vector<servo::Contour>& contours, const drive::Slides& slides, Outputs& outputs) {
-    if (outputs.followed() == nullptr) return;
+    if (outputs.shown().followed() == nullptr) return;
     for (const servo::Contour& contour : contours) {
-      outputs.followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
+      outputs.shown().followed()->observe({contour.actual, contour.nearest, contour.distance}, slides.contour_stride());
     }
   }
 

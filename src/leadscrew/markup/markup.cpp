@@ -87,6 +87,19 @@ std::string fixed(double value, int decimals) {
   return out == "-0" ? "0" : out;
 }
 
+std::string base64(std::string_view bytes) {
+  constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) text += i + k > bytes.size() ? '=' : alphabet[three >> (18 - 6 * k) & 63];
+  }
+  return text;
+}
+
 std::string readable(double value, int digits) {
   if (!std::isfinite(value)) return std::string(dash);
   if (value == 0) return "0";

@@ -20,6 +20,9 @@ std::string escaped(std::string_view text, std::size_t longest = 300);
 /// A fixed number of decimals, '.' as decimal point, for coordinates inside markup.
 std::string fixed(double value, int decimals);
 
+/// RFC 4648, with padding.
+std::string base64(std::string_view bytes);
+
 /// For people: about so many significant digits, a true minus sign, narrow spaces between thousands; "—" when not
 /// finite.
 std::string readable(double value, int digits = 4);

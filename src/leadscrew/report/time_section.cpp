@@ -217,7 +217,6 @@ class TimeCharts {
   }
 
   void remember(const Channel& channel, Range data) {
-    constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     const double per_step = data.width() > 0 ? 65535 / data.width() : 0;
     const auto steps = [&](double value) {
       const double part = std::isfinite(value) ? (value - data.least) * per_step : 0;
@@ -232,14 +231,7 @@ class TimeCharts {
     }
     put(data_, data_.empty() ? "" : ",", "{\"low\":", fixed(data.least, 12), ",\"high\":", fixed(data.greatest, 12),
         ",\"per\":", fixed(channel.per_unit, 3), ",\"bins\":\"");
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-      unsigned three = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-      }
-      for (std::size_t k = 0; k < 4; ++k) data_ += i + k > bytes.size() ? '=' : alphabet[three >> (18 - 6 * k) & 63];
-    }
-    data_ += "\"}";
+    put(data_, markup::base64(bytes), "\"}");
   }
 
   std::string& page_;

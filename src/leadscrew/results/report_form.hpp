@@ -18,6 +18,7 @@ struct ReportParts {
   const std::string& command_line;
   const Diagnostics& diagnostics;
   const report::Recording& recording;
+  std::string machine_file = {}, tools = {};  ///< their texts; empty: the built-in mill, no table
 };
 
 /// Errors: those of reading the program once more.

@@ -131,6 +131,23 @@ export function timeOfLine(plan: Plan, line: number): number | undefined {
   return next === undefined ? undefined : blocks.begin[next];
 }
 
+/** A tool in the spindle: its number, 0 where none was told, and its offset along X, Y and Z, of axes that do not turn. */
+export interface ToolAt {
+  readonly number: number;
+  readonly offset: readonly number[];
+}
+
+/** While the line is in motion, by the plan. */
+export function toolOfLine(plan: Plan, line: number): ToolAt {
+  const { samples } = plan;
+  const i = sampleAt(plan, (timeOfLine(plan, line) ?? 0) + 1.5 * samples.step);
+  const offset = [0, 1, 2].map((axis) => {
+    const k = samples.axes.indexOf(axis);
+    return k < 0 ? 0 : (samples.position[i * samples.axes.length + k] ?? 0) - place(samples, i, axis);
+  });
+  return { number: samples.tool[i] ?? 0, offset };
+}
+
 const nearPole = 5; // degrees
 const mostVisits = 100;
 

@@ -72,6 +72,13 @@ export class GougePanel {
       this.note.textContent = found.message;
       return;
     }
+    this.show(found);
+  }
+
+  /** Of the plan that is loaded. */
+  show(found: readonly Gouge[]): void {
+    const { plan } = this;
+    if (plan === undefined) return;
     this.note.textContent =
       found.length === 0
         ? "No tool of a told shape is deeper in a surface than the tolerance."

@@ -1,7 +1,6 @@
 // The running machine, where the page is served by `leadscrew drive --serve`: its events, and wishes to it.
 
 import type { LiveMachine, LiveSample, Wish } from "../engine/live_types";
-import { axisLetters, type Limits } from "../engine/motion_types";
 
 export interface LiveCalls {
   began(machine: LiveMachine): void;
@@ -31,8 +30,9 @@ export function watch(address: string, calls: LiveCalls): void {
   source.addEventListener("error", () => calls.lost());
 }
 
-export async function programText(address: string): Promise<string> {
-  const answer = await fetch(`${address}/program`);
+/** Of the program that is driven, its machine file or its tool table; empty where there is none. */
+export async function liveText(address: string, of: "program" | "machine" | "tools"): Promise<string> {
+  const answer = await fetch(`${address}/${of}`);
   if (!answer.ok) throw new Error(await answer.text());
   return await answer.text();
 }
@@ -49,24 +49,4 @@ export async function wish(address: string, token: string, wanted: Wish): Promis
   } catch {
     return "the machine does not answer";
   }
-}
-
-/** Of three axes that are the program's coordinates; others are not planned here. */
-export function limitsOf(machine: LiveMachine, built: Limits): Limits | undefined {
-  const isKnown = machine.kinematics === "cartesian" && machine.axes.map(({ name }) => name).join("") === "XYZ";
-  if (!isKnown) return undefined;
-  const of = (name: "velocity" | "acceleration" | "jerk"): number[] =>
-    built[name].map((value, i) => machine.axes.find((axis) => axis.name === axisLetters[i])?.[name] ?? value);
-  const travel = (end: 0 | 1, values: readonly number[]): number[] =>
-    values.map((value, i) => machine.axes.find((axis) => axis.name === axisLetters[i])?.travel[end] ?? value);
-  return {
-    ...built,
-    least: travel(0, built.least),
-    greatest: travel(1, built.greatest),
-    velocity: of("velocity"),
-    acceleration: of("acceleration"),
-    jerk: of("jerk"),
-    tolerance: machine.tolerance_mm,
-    chordError: machine.chord_error_mm,
-  };
 }

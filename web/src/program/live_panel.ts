@@ -3,7 +3,7 @@
 import type { LiveMachine, LiveSample, LiveState, Wish } from "../engine/live_types";
 import { fixed, html } from "../ui/dom";
 import { put } from "./figures";
-import { liveAddress, programText, watch, wish } from "./live";
+import { liveAddress, liveText, watch, wish } from "./live";
 
 const stateNames: Readonly<Record<LiveState, string>> = {
   starting: "starting",
@@ -15,16 +15,23 @@ const stateNames: Readonly<Record<LiveState, string>> = {
   stopping: "stopping",
 };
 
+/** Of what is driven; the program is empty where it cannot be read. */
+export interface LiveTexts {
+  readonly program: string;
+  /** A machine file; empty for the built-in mill. */
+  readonly machine: string;
+  /** A tool table. */
+  readonly tools: string;
+}
+
 export interface LivePanelCalls {
-  /** `text` is empty where it cannot be read. */
-  began(machine: LiveMachine, text: string): void;
+  began(machine: LiveMachine, texts: LiveTexts): void;
   moved(machine: LiveMachine, sample: LiveSample): void;
 }
 
 export class LivePanel {
   readonly element: HTMLElement;
   private machine: LiveMachine | undefined;
-  private program = "";
   private missed = 0;
   private held = false;
   private readonly said = html("p", { class: "note", id: "live-said", role: "status" }, "Looking for the machine");
@@ -97,11 +104,15 @@ export class LivePanel {
     this.tell("live", `${machine.program} on ${machine.machine}`);
     if (!isNew) return;
     try {
-      if (machine.has_text) this.program = await programText(this.address);
+      const [program, file, tools] = await Promise.all([
+        machine.has_text ? liveText(this.address, "program") : "",
+        liveText(this.address, "machine"),
+        liveText(this.address, "tools"),
+      ]);
+      this.calls.began(machine, { program, machine: file.trim(), tools: tools.trim() });
     } catch {
       // it is shown without its path
     }
-    this.calls.began(machine, this.program);
   }
 
   private move(sample: LiveSample): void {

@@ -28,7 +28,10 @@ self.onmessage = ({ data }: MessageEvent<SceneRequest>) => {
   } else if ("width" in data) {
     scene?.size(data.width, data.height, data.ratio);
   } else {
-    scene?.draw(data.camera, data.paper);
-    self.postMessage("drawn" satisfies SceneReply);
+    // Within a frame: what is drawn between two is shown when the next one is.
+    self.requestAnimationFrame(() => {
+      scene?.draw(data.camera, data.paper);
+      self.postMessage("drawn" satisfies SceneReply);
+    });
   }
 };

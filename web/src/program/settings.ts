@@ -23,6 +23,9 @@ export interface Settings {
   time: number;
 }
 
+/** What a page begins with, where no link says otherwise: the file name is its own. */
+export type Origin = Pick<Settings, "text" | "name" | "machine" | "tools">;
+
 const longestLink = 8000; // characters; longer ones mail and chat programs cut off
 
 /** Limits of a machine file, or what is wrong with it. */
@@ -76,16 +79,18 @@ async function textOf(link: URLSearchParams, key: string, otherwise: string): Pr
   }
 }
 
-/** A text that no link can hold is left out. */
-export async function toLink(settings: Settings, machine: Limits): Promise<string> {
+/** A text that no link can hold is left out, and what the page begins with. */
+export async function toLink(settings: Settings, machine: Limits, origin?: Origin): Promise<string> {
   const link = new URLSearchParams();
   link.set("program", "1");
-  const example = exampleOf(settings.text);
+  const isOrigin = settings.text === origin?.text;
+  const example = isOrigin ? undefined : exampleOf(settings.text);
   if (example !== undefined) link.set("ex", example.name);
-  else await putText(link, "z", settings.text);
+  else if (!isOrigin) await putText(link, "z", settings.text);
   if (link.has("z")) link.set("name", settings.name);
-  if (settings.machine !== (example?.machine ?? "")) await putText(link, "m", settings.machine || " ");
-  if (settings.tools !== (example?.tools ?? "")) await putText(link, "tools", settings.tools || " ");
+  const base = isOrigin ? origin : example;
+  if (settings.machine !== (base?.machine ?? "")) await putText(link, "m", settings.machine || " ");
+  if (settings.tools !== (base?.tools ?? "")) await putText(link, "tools", settings.tools || " ");
   for (const [name, short] of Object.entries(limitNames) as ["velocity" | "acceleration" | "jerk", string][])
     if (settings.limits[name].join() !== machine[name].join()) link.set(short, settings.limits[name].join("_"));
   if (settings.limits.tolerance !== machine.tolerance) link.set("tol", String(settings.limits.tolerance));
@@ -95,23 +100,34 @@ export async function toLink(settings: Settings, machine: Limits): Promise<strin
   return `#${link.toString()}`;
 }
 
-/** What a link lacks, or has wrong, is as it is without one; with the machine's own limits. */
-export async function fromLink(hash: string, limitsOf: LimitsOf): Promise<readonly [Settings, Limits]> {
-  const link = new URLSearchParams(hash.replace(/^#/, ""));
-  const [first] = examples;
-  const example = examples.find(({ name }) => name === link.get("ex")) ?? first;
+function beginningOf(link: URLSearchParams, origin?: Origin): Origin {
+  const named = examples.find(({ name }) => name === link.get("ex"));
+  if (named === undefined && origin !== undefined) return origin;
+  const example = named ?? examples[0];
   if (example === undefined) throw new Error("there are no examples");
+  const { name, text, machine = "", tools = "" } = example;
+  return { name: `${name}.ngc`, text, machine, tools };
+}
+
+/** What a link lacks, or has wrong, is as it is without one; with the machine's own limits. */
+export async function fromLink(
+  hash: string,
+  limitsOf: LimitsOf,
+  origin?: Origin,
+): Promise<readonly [Settings, Limits]> {
+  const link = new URLSearchParams(hash.replace(/^#/, ""));
+  const begin = beginningOf(link, origin);
   const settings: Settings = {
-    text: await textOf(link, "z", example.text),
-    name: `${example.name}.ngc`,
-    machine: (await textOf(link, "m", example.machine ?? "")).trim(),
+    text: await textOf(link, "z", begin.text),
+    name: begin.name,
+    machine: (await textOf(link, "m", begin.machine)).trim(),
     limits: {} as Limits,
-    tools: (await textOf(link, "tools", example.tools ?? "")).trim(),
+    tools: (await textOf(link, "tools", begin.tools)).trim(),
     override: 100,
     colouring: "speed",
     time: 0,
   };
-  if (settings.text !== example.text) settings.name = link.get("name") ?? "program.ngc";
+  if (settings.text !== begin.text) settings.name = link.get("name") ?? "program.ngc";
   const machine = await limitsOrMill(settings, limitsOf);
   settings.limits = copied(machine);
   for (const [name, short] of Object.entries(limitNames) as ["velocity" | "acceleration" | "jerk", string][]) {
@@ -128,6 +144,17 @@ export async function fromLink(hash: string, limitsOf: LimitsOf): Promise<readon
   const time = Number(link.get("t") ?? NaN);
   if (time >= 0) settings.time = time;
   return [settings, machine];
+}
+
+/** Is nothing changed of what the page began with? */
+export function isAsBegun(settings: Settings, machine: Limits, origin: Origin): boolean {
+  return (
+    settings.text === origin.text &&
+    settings.machine === origin.machine &&
+    settings.tools === origin.tools &&
+    settings.override === 100 &&
+    isMachine(settings.limits, machine)
+  );
 }
 
 function isMachine(limits: Limits, machine: Limits): boolean {

@@ -80,9 +80,12 @@ export class PathView {
     this.drawOver();
   }
 
-  /** Where the running machine has its tool. */
-  standAt(tip: readonly number[], direction: readonly number[]): void {
-    this.tool = { tip, direction, shape: undefined };
+  /** Where the running machine has its tool, of this number. */
+  standAt(tip: readonly number[], direction: readonly number[], tool: number): void {
+    const shape = this.plan?.tools.find(({ number }) => number === tool);
+    this.tool = { tip, direction, shape };
+    const told = [...tip, ...direction].map((each) => each.toFixed(3)).join(" ");
+    this.element.dataset["tool"] = `${shape === undefined ? "" : `T${shape.number} `}${told}`;
     this.drawOver();
   }
 

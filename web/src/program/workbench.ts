@@ -3,22 +3,23 @@
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
 import type { Diagnostic, Gouge, Limits, Phase, Plan, Task } from "../engine/motion_types";
-import { sampleAt, timeOf, timeOfLine } from "../engine/path";
+import { sampleAt, timeOf, timeOfLine, toolOfLine, type ToolAt } from "../engine/path";
+import { diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
 import { Editor } from "./editor";
 import type { Example } from "./examples";
 import { FiguresPanel, LossTable } from "./figures";
-import { limitsOf } from "./live";
 import { GougePanel } from "./gouge_panel";
-import { LivePanel } from "./live_panel";
+import { JudgedPanel } from "./judged";
+import { LivePanel, type LiveTexts } from "./live_panel";
 import { MachineForm } from "./machine_form";
 import { Playback } from "./playback";
 import { Plots } from "./plots";
 import { PathPanel } from "./path_panel";
 import { ProgramPanel } from "./program_panel";
-import { commandOf, copied, fromLink, machineFile, toLink, type Settings } from "./settings";
+import { commandOf, copied, fromLink, isAsBegun, machineFile, toLink, type Settings } from "./settings";
 import { Progress } from "./progress";
 
 const mostSamples = 1_000_000;
@@ -32,6 +33,7 @@ export class Workbench implements Mode {
   private runs = 0;
   private typing = 0;
   private linkTimer = 0;
+  private followed: { readonly plan: Plan; readonly line: number; readonly tool: ToolAt } | undefined;
   private isNewText = true;
   private readonly editor: Editor;
   private readonly program: ProgramPanel;
@@ -49,15 +51,17 @@ export class Workbench implements Mode {
   private readonly progress = new Progress(() => this.cancel());
   /** Where a machine is driven. */
   private readonly live = LivePanel.ofPage({
-    began: (machine, text) => void this.showDriven(machine, text),
+    began: (machine, texts) => void this.showDriven(machine, texts),
     moved: (machine, sample) => this.follow(machine, sample),
   });
+  private readonly judged: JudgedPanel | undefined;
   private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
   private readonly commandNote = html("p", { class: "note" });
 
-  static async open(planner: PlannerClient): Promise<Workbench> {
-    const [settings, machine] = await fromLink(location.hash, planner.limits);
-    return new Workbench(planner, machine, settings);
+  /** With what the command has recorded, where it has. */
+  static async open(planner: PlannerClient, recording?: Recording): Promise<Workbench> {
+    const [settings, machine] = await fromLink(location.hash, planner.limits, recording);
+    return new Workbench(planner, machine, settings, recording);
   }
 
   private constructor(
@@ -65,7 +69,12 @@ export class Workbench implements Mode {
     /** The machine of the settings, as it is without changes. */
     private machine: Limits,
     private settings: Settings,
+    private readonly recording: Recording | undefined,
   ) {
+    if (recording !== undefined) {
+      this.judged = new JudgedPanel(recording, (line, time) => this.goTo(line, time));
+      document.title = `${recording.name}: motion report`;
+    }
     this.editor = new Editor(settings.text, {
       changed: (text) => this.typed(text),
       pointed: (line) => this.pointed(line),
@@ -101,6 +110,7 @@ export class Workbench implements Mode {
         this.path.element(this.playback.element, this.figures.now),
         html("section", { class: "panel", "aria-label": "Over time" }, this.plotsHead(), this.plots.element),
         html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
+        this.judged?.element,
         this.losses.element,
         this.gouges.element,
         this.exportsPanel(),
@@ -166,6 +176,7 @@ export class Workbench implements Mode {
 
   private async exportTrace(name: string): Promise<void> {
     if (this.plan === undefined || this.planner.isBusy) return;
+    if (this.recorded !== undefined) return download(name, traceOf(this.recorded), "text/csv");
     const trace = await unlessCancelled(this.planner.trace());
     if (trace !== undefined) download(name, trace, "text/csv");
   }
@@ -213,21 +224,28 @@ export class Workbench implements Mode {
     void this.run();
   }
 
-  /** The program that is driven is planned here too, by the limits of its machine, where the page knows its kind. */
-  private async showDriven(machine: LiveMachine, text: string): Promise<void> {
-    if (!(await this.takeMachine(""))) return;
-    const limits = limitsOf(machine, this.machine);
-    if (text === "" || limits === undefined) return;
-    this.settings.limits = limits;
+  /** The program that is driven is planned here too, on its machine and with its tools. */
+  private async showDriven(machine: LiveMachine, texts: LiveTexts): Promise<void> {
+    if (texts.program === "" || !(await this.takeMachine(texts.machine))) return;
+    this.settings.tools = texts.tools;
     this.showSettings();
-    this.openText(machine.program.split("/").at(-1) ?? machine.program, text);
+    this.openText(machine.program.split("/").at(-1) ?? machine.program, texts.program);
   }
 
+  /** The tool is that of the line, by the plan; where no axis turns, its offset too. */
   private follow(machine: LiveMachine, sample: LiveSample): void {
     this.playback.stop();
+    const tool = this.plan === undefined ? undefined : this.toolOf(this.plan, sample.line);
     const at = (letter: string): number => sample.actual[machine.axes.findIndex(({ name }) => name === letter)] ?? 0;
-    this.path.view.standAt(sample.tip ?? [at("X"), at("Y"), at("Z")], sample.direction ?? [0, 0, 1]);
+    const tip = ["X", "Y", "Z"].map((letter, i) => at(letter) - (tool?.offset[i] ?? 0));
+    this.path.view.standAt(sample.tip ?? tip, sample.direction ?? [0, 0, 1], tool?.number ?? 0);
     this.markLine(sample.line);
+  }
+
+  private toolOf(plan: Plan, line: number): ToolAt {
+    if (this.followed?.plan !== plan || this.followed.line !== line)
+      this.followed = { plan, line, tool: toolOfLine(plan, line) };
+    return this.followed.tool;
   }
 
   private typed(text: string): void {
@@ -244,7 +262,7 @@ export class Workbench implements Mode {
   private async restore(): Promise<void> {
     clearTimeout(this.typing);
     this.planner.cancel();
-    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits));
+    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits, this.recording));
     if (restored === undefined) return;
     [this.settings, this.machine] = restored;
     this.isNewText = true;
@@ -266,6 +284,12 @@ export class Workbench implements Mode {
     return { text, machine, limits, tools, override: override / 100 };
   }
 
+  /** What is shown as it was recorded: nothing of it has been changed. */
+  private get recorded(): Recording | undefined {
+    const { recording, settings, machine } = this;
+    return recording !== undefined && isAsBegun(settings, machine, recording) ? recording : undefined;
+  }
+
   private async lookForGouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
     try {
       return await unlessCancelled(this.planner.gouges(this.task));
@@ -281,8 +305,10 @@ export class Workbench implements Mode {
     this.tell("planning");
     this.showCommand();
     this.keepLink();
-    const { task } = this;
+    const { task, recorded } = this;
+    if (this.judged !== undefined) this.judged.isShown = recorded !== undefined;
     try {
+      if (recorded !== undefined) return await this.showRecorded(recorded, run);
       const checked = await unlessCancelled(this.planner.check(task));
       if (checked === undefined || run !== this.runs) return;
       this.showDiagnostics(checked.diagnostics);
@@ -300,6 +326,16 @@ export class Workbench implements Mode {
       this.tell("failed");
       this.progress.rest(`The engine failed: ${String(failure)}`);
     }
+  }
+
+  /** Nothing is planned: tools and surfaces alone are the engine's. */
+  private async showRecorded(recording: Recording, run: number): Promise<void> {
+    const equipment = await unlessCancelled(this.planner.equipment(this.task));
+    if (equipment === undefined || run !== this.runs) return;
+    this.showDiagnostics(diagnosticsOf(recording.result));
+    await this.load(planOf(recording, equipment));
+    const gouges = gougesOf(recording);
+    if (gouges !== undefined && run === this.runs) this.gouges.show(gouges);
   }
 
   private refuse(): void {
@@ -425,7 +461,7 @@ export class Workbench implements Mode {
     if (this.linkTimer !== 0) return;
     this.linkTimer = window.setTimeout(() => {
       this.linkTimer = 0;
-      void toLink(this.settings, this.machine).then((link) => history.replaceState(null, "", link));
+      void toLink(this.settings, this.machine, this.recording).then((link) => history.replaceState(null, "", link));
     }, 400);
   }
 

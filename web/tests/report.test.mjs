@@ -1,0 +1,135 @@
+// `leadscrew run --report`: the page with the recording inside, opened from disk, shows the figures of `run --json` without
+// planning anything, and plans anew what is changed.
+
+import assert from "node:assert/strict";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { seriousFindings } from "./axe.mjs";
+import { built, native, openBrowser, root } from "./browser.mjs";
+import { assertSameWords, downloaded, exampleText, figure, openProgram, planned, rowsOf, write } from "./program.mjs";
+
+let browser, folder;
+before(async () => {
+  browser = await openBrowser();
+  folder = mkdtempSync(join(tmpdir(), "leadscrew-report-"));
+});
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
+
+/** Of an example: {address, result, trace}, the result as printed. */
+function reported(name, ...options) {
+  const [page, trace] = [join(folder, `${name}.html`), join(folder, `${name}.csv`)];
+  const args = ["run", join(root, "examples", `${name}.ngc`), "--json", "--report", page, "--trace", trace, ...options];
+  const result = JSON.parse(native(args));
+  return { address: pathToFileURL(page).href, result, trace };
+}
+
+/** Name and value of all figures of the recording. */
+async function judged(page) {
+  return new Map(
+    await page.$$eval("#judged > div", (all) =>
+      all.map((each) => [each.dataset.name, each.dataset.value === "null" ? null : Number(each.dataset.value)]),
+    ),
+  );
+}
+
+test("a report shows what run --json prints", async () => {
+  const { address, result } = reported("01-plate");
+  const { page, strays, failures, close } = await openProgram(browser, address);
+  assert.equal(await page.getAttribute(".program", "data-state"), "ready");
+  const shown = await judged(page);
+  const expected = {
+    Time: result.time_s,
+    "of it dwell": result.dwell_s,
+    "Without jerk limit": result.bound_s,
+    Length: result.length_mm,
+    Moves: result.moves,
+    Words: result.words,
+    Deviation: result.deviation_mm,
+    Tolerance: result.tolerance_mm,
+    "Feed of programmed": result.feed.max_ratio,
+    "Feed ripple": result.feed.ripple,
+    Objections: result.violation_count,
+  };
+  for (const { name, velocity_ratio, acceleration_ratio, jerk_ratio } of result.axes) {
+    expected[`Velocity ${name}`] = velocity_ratio;
+    expected[`Acceleration ${name}`] = acceleration_ratio;
+    expected[`Jerk ${name}`] = jerk_ratio;
+  }
+  for (const { cause, s } of result.losses) expected[`Lost to ${cause}`] = s;
+  assert.deepEqual(Object.fromEntries(shown), expected);
+  assert.equal(await figure(page, "Words"), result.words.toLocaleString("en"));
+  assert.match(await page.textContent("#recorded-by"), /^leadscrew run .*01-plate\.ngc --json --report/);
+  assert.match(await page.textContent("#verdict"), /objects to none/);
+  assert.ok((await page.$$(".losses tbody tr")).length > 0);
+  assert.equal(await downloaded(page, "save"), exampleText("01-plate"));
+  assert.deepEqual(await seriousFindings(page), []);
+  assert.deepEqual(strays, []);
+  assert.deepEqual(failures, []);
+  await close();
+});
+
+test("its words are the trace's, and the clock walks along them", async () => {
+  const { address, trace } = reported("04-square");
+  const { page, close } = await openProgram(browser, address);
+  const words = rowsOf(readFileSync(trace, "utf8"));
+  assertSameWords(rowsOf(await downloaded(page, "export-csv")), words);
+  await page.press("body", "Home");
+  for (let i = 0; i < 120; ++i) await page.press("body", "ArrowRight");
+  const at = words.columns.indexOf("X");
+  assert.equal(await figure(page, "X", "now"), words.rows[120][at].toFixed(3));
+  await close();
+});
+
+test("what is changed is planned anew, and what is changed back is the recording", async () => {
+  const { address, result } = reported("04-square");
+  const { page, failures, close } = await openProgram(browser, address);
+  const text = exampleText("04-square");
+  assert.equal(await write(page, "G21 G90 F600\nG1 X1\nM2\n"), "ready");
+  assert.equal(await page.isVisible(".judged"), false);
+  assert.notEqual(await figure(page, "Words"), result.words.toLocaleString("en"));
+  assert.equal(await write(page, text), "ready");
+  assert.equal(await page.isVisible(".judged"), true);
+  assert.equal(await figure(page, "Words"), result.words.toLocaleString("en"));
+  await page.waitForFunction(() => !/[#&](z|ex)=/.test(location.hash)); // the recording is what there is without a link
+  await page.reload();
+  assert.equal(await planned(page), "ready");
+  assert.equal(await page.isVisible(".judged"), true);
+  assert.deepEqual(failures, []);
+  await close();
+});
+
+test("five axes, a surface and its tool; pictures", async () => {
+  const { address, result } = reported(
+    "17-patch-leaning",
+    "--machine",
+    join(root, "machines/table-table-ac.toml"),
+    "--tools",
+    join(root, "examples/tools.tbl"),
+    "--allow-gouge",
+  );
+  for (const colorScheme of ["light", "dark"]) {
+    const { page, failures, close } = await openProgram(browser, address, { colorScheme });
+    assert.equal((await judged(page)).get("Of the tip"), result.tip.deviation_mm);
+    assert.match(await page.textContent("#gouges-note"), /deeper|found/);
+    await page.selectOption("#colouring", "part");
+    const pictures = join(built, "screenshots");
+    mkdirSync(pictures, { recursive: true });
+    for (const width of [1280, 390]) {
+      await page.setViewportSize({ width, height: 900 });
+      await page.waitForTimeout(300);
+      await page.screenshot({ path: join(pictures, `report-${colorScheme}-${width}.png`), fullPage: true });
+      const over = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      );
+      assert.ok(over <= 0, `at ${width} px it is ${over} px too wide`);
+    }
+    assert.deepEqual(failures, []);
+    await close();
+  }
+});
