@@ -250,6 +250,13 @@ def check_recordings(schemas):
         check_samples(recording, words[0])
 
 
+    # Of a program that the page has no room for, the report is the command's own page.
+    (scratch / "long.ngc").write_text("G21 G90\n" + "(no room for it)\n" * 270_000 + "G1 X1 F600\nM2\n")
+    subprocess.run([installed, "run", "long.ngc", "--report", "page.html", "--quiet"], cwd=scratch, check=True)
+    text = (scratch / "page.html").read_text(encoding="utf-8")
+    check(begin not in text and "Keeps every limit" in text, "a program of more than 4 MiB is in the page")
+
+
 def check_samples(recording, program):
     samples, (header, *rows) = recording["samples"], rows_of("page.csv")
     every, count = samples["words_each"], samples["count"]

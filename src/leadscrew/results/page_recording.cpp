@@ -149,22 +149,24 @@ json::Json PageRecording::samples() const {
   };
   Json axes = Json::list();
   for (const base::Axis axis : axes_) axes.push_back(std::string(1, base::letter(axis)));
-  return Json::object({{"count", all.size()},
-                       {"words_each", every_},
-                       {"axes", axes},
-                       {"position", packed<double>(all, of_axes(&Sample::position))},
-                       {"velocity", packed<float>(all, of_axes(&Sample::velocity))},
-                       {"acceleration", packed<float>(all, of_axes(&Sample::acceleration))},
-                       {"jerk", packed<float>(all, of_axes(&Sample::jerk))},
-                       {"feed", packed<double>(all, [](const Sample& sample) { return sample.feed; })},
-                       {"s", packed<double>(all, [](const Sample& sample) { return sample.length; })},
-                       {"tip", packed<float>(all, of_three(&Sample::tip))},
-                       {"direction", packed<float>(all, of_three(&Sample::direction))},
-                       {"pole_angle", packed<float>(all, [](const Sample& sample) { return sample.pole_angle; })},
-                       {"tool", packed<std::int32_t>(all, [](const Sample& sample) { return sample.tool; })},
-                       {"line", packed<std::int32_t>(all, [](const Sample& sample) { return sample.line; })},
-                       {"hold", packed<std::uint8_t>(all, [](const Sample& sample) { return sample.hold.kind; })},
-                       {"hold_axis", packed<std::uint8_t>(all, axis_of_hold)}});
+  Json json = Json::object({{"count", all.size()},
+                            {"words_each", every_},
+                            {"axes", axes},
+                            {"position", packed<double>(all, of_axes(&Sample::position))},
+                            {"velocity", packed<float>(all, of_axes(&Sample::velocity))},
+                            {"acceleration", packed<float>(all, of_axes(&Sample::acceleration))},
+                            {"jerk", packed<float>(all, of_axes(&Sample::jerk))},
+                            {"feed", packed<double>(all, [](const Sample& sample) { return sample.feed; })},
+                            {"s", packed<double>(all, [](const Sample& sample) { return sample.length; })},
+                            {"tip", packed<float>(all, of_three(&Sample::tip))},
+                            {"tool", packed<std::int32_t>(all, [](const Sample& sample) { return sample.tool; })},
+                            {"line", packed<std::int32_t>(all, [](const Sample& sample) { return sample.line; })},
+                            {"hold", packed<std::uint8_t>(all, [](const Sample& sample) { return sample.hold.kind; })},
+                            {"hold_axis", packed<std::uint8_t>(all, axis_of_hold)}});
+  if (!chain_) return json;
+  json["direction"] = packed<float>(all, of_three(&Sample::direction));
+  json["pole_angle"] = packed<float>(all, [](const Sample& sample) { return sample.pole_angle; });
+  return json;
 }
 
 json::Json PageRecording::blocks() const {

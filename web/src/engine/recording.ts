@@ -70,8 +70,8 @@ interface RecordedSamples {
   readonly feed: string;
   readonly s: string;
   readonly tip: string;
-  readonly direction: string;
-  readonly pole_angle: string;
+  readonly direction?: string;
+  readonly pole_angle?: string;
   readonly tool: string;
   readonly line: string;
   readonly hold: string;
@@ -157,6 +157,11 @@ const floats = (base64: string): Float32Array => new Float32Array(bytesOf(base64
 const integers = (base64: string): Int32Array => new Int32Array(bytesOf(base64));
 const small = (base64: string): Uint8Array => new Uint8Array(bytesOf(base64));
 
+/** Of a tool that does not turn, so many times. */
+function upright(count: number): Float32Array {
+  return Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 2 ? 1 : 0));
+}
+
 function blocksOf(of: RecordedBlocks): Blocks {
   const [begin, seconds] = [doubles(of.begin), doubles(of.seconds)];
   settleBegins(begin, seconds);
@@ -188,8 +193,8 @@ function samplesOf(of: RecordedSamples, blocks: Blocks, { period_s, words }: Run
     jerk: floats(of.jerk),
     feed: Float32Array.from(doubles(of.feed)),
     tip: Float64Array.from(floats(of.tip)),
-    direction: floats(of.direction),
-    poleAngle: floats(of.pole_angle),
+    direction: of.direction === undefined ? upright(of.count) : floats(of.direction),
+    poleAngle: of.pole_angle === undefined ? new Float32Array(of.count).fill(Infinity) : floats(of.pole_angle),
     tool: integers(of.tool),
     line: integers(of.line),
     block: Int32Array.from({ length: of.count }, (_, i) => blockAt(Math.min(i * of.words_each, words) * period_s)),
