@@ -7,7 +7,7 @@ set(rooms ${LEADSCREW_LIBRARY_ROOMS})
 file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/leadscrew/*.hpp)
 if(LEADSCREW_COMMAND)
   list(APPEND rooms realtime config)
-  list(APPEND targets leadscrew_pulse leadscrew_gouging leadscrew_nc leadscrew_language leadscrew_capi leadscrew_shared)  # leadscrew.h stands on the first four
+  list(APPEND targets leadscrew_pulse leadscrew_gouging leadscrew_nc leadscrew_servo leadscrew_language leadscrew_capi leadscrew_shared)  # leadscrew.h stands on the first five
   install(FILES src/leadscrew/capi/leadscrew.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 else()
   list(FILTER headers EXCLUDE REGEX "/(files|realtime)\\.hpp$")

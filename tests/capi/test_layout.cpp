@@ -64,7 +64,7 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, has_probe), 168U);
   EXPECT_EQ(offsetof(leadscrew_options, has_inputs), 172U);
   EXPECT_EQ(offsetof(leadscrew_options, allow_gouging), 176U);
-  EXPECT_EQ(offsetof(leadscrew_options, reserved), 180U);
+  EXPECT_EQ(offsetof(leadscrew_options, step_rule), 180U);
 }
 
 TEST(Layout, OfMoves) {
@@ -142,7 +142,7 @@ TEST(Layout, OfPulseFigures) {
 }
 
 TEST(Layout, OfLimits) {
-  EXPECT_EQ(sizeof(leadscrew_limits), 392U);
+  EXPECT_EQ(sizeof(leadscrew_limits), 400U);
   EXPECT_EQ(offsetof(leadscrew_limits, least), 8U);
   EXPECT_EQ(offsetof(leadscrew_limits, greatest), 80U);
   EXPECT_EQ(offsetof(leadscrew_limits, velocity), 152U);
@@ -151,6 +151,21 @@ TEST(Layout, OfLimits) {
   EXPECT_EQ(offsetof(leadscrew_limits, tolerance), 368U);
   EXPECT_EQ(offsetof(leadscrew_limits, chord_error), 376U);
   EXPECT_EQ(offsetof(leadscrew_limits, axes), 384U);
+  EXPECT_EQ(offsetof(leadscrew_limits, period), 392U);  // the first version's end
+}
+
+TEST(Layout, OfLoops) {
+  EXPECT_EQ(sizeof(leadscrew_loop_options), 96U);
+  EXPECT_EQ(offsetof(leadscrew_loop_options, controller), 8U);
+  EXPECT_EQ(offsetof(leadscrew_loop_options, encoder), 12U);
+  EXPECT_EQ(offsetof(leadscrew_loop_options, proportional), 16U);
+  EXPECT_EQ(offsetof(leadscrew_loop_options, backlash), 88U);
+  EXPECT_EQ(sizeof(leadscrew_followed), 304U);
+  EXPECT_EQ(offsetof(leadscrew_followed, position), 16U);
+  EXPECT_EQ(offsetof(leadscrew_followed, current), 232U);
+  EXPECT_EQ(sizeof(leadscrew_loop_figures), 264U);
+  EXPECT_EQ(offsetof(leadscrew_loop_figures, greatest), 16U);
+  EXPECT_EQ(offsetof(leadscrew_loop_figures, contour_rms), 256U);
 }
 
 TEST(Layout, OfChecked) {

@@ -52,14 +52,16 @@ static_assert(offsetof(leadscrew_error, column) == 24);
 static_assert(offsetof(leadscrew_error, file) == 848);
 
 static_assert(sizeof(leadscrew_options) == 152);
+static_assert(offsetof(leadscrew_options, start) == 8);
 static_assert(offsetof(leadscrew_options, on_diagnostic) == 92);
 static_assert(offsetof(leadscrew_options, file) == 100);
 static_assert(offsetof(leadscrew_options, tools) == 104);
 static_assert(offsetof(leadscrew_options, tools_length) == 108);
 static_assert(offsetof(leadscrew_options, on_progress) == 116);
 static_assert(offsetof(leadscrew_options, user) == 96);
+static_assert(offsetof(leadscrew_options, step_rule) == 148);
 
-static_assert(sizeof(leadscrew_limits) == 392);
+static_assert(sizeof(leadscrew_limits) == 400);
 static_assert(offsetof(leadscrew_limits, least) == 8);
 static_assert(offsetof(leadscrew_limits, greatest) == 80);
 static_assert(offsetof(leadscrew_limits, velocity) == 152);
@@ -68,6 +70,37 @@ static_assert(offsetof(leadscrew_limits, jerk) == 296);
 static_assert(offsetof(leadscrew_limits, tolerance) == 368);
 static_assert(offsetof(leadscrew_limits, chord_error) == 376);
 static_assert(offsetof(leadscrew_limits, axes) == 384);
+static_assert(offsetof(leadscrew_limits, period) == 392);
+
+static_assert(sizeof(leadscrew_word) == 120);
+static_assert(offsetof(leadscrew_word, position) == 8);
+static_assert(offsetof(leadscrew_word, tick) == 0);
+static_assert(offsetof(leadscrew_word, speed) == 88);
+static_assert(offsetof(leadscrew_word, feed) == 96);
+static_assert(offsetof(leadscrew_word, state) == 112);
+
+static_assert(sizeof(leadscrew_loop_options) == 96);
+static_assert(offsetof(leadscrew_loop_options, controller) == 4);
+static_assert(offsetof(leadscrew_loop_options, encoder) == 8);
+static_assert(offsetof(leadscrew_loop_options, proportional) == 16);
+static_assert(offsetof(leadscrew_loop_options, backlash) == 88);
+
+static_assert(sizeof(leadscrew_followed) == 304);
+static_assert(offsetof(leadscrew_followed, tick) == 8);
+static_assert(offsetof(leadscrew_followed, position) == 16);
+static_assert(offsetof(leadscrew_followed, velocity) == 88);
+static_assert(offsetof(leadscrew_followed, control) == 160);
+static_assert(offsetof(leadscrew_followed, current) == 232);
+
+static_assert(sizeof(leadscrew_loop_figures) == 264);
+static_assert(offsetof(leadscrew_loop_figures, periods) == 8);
+static_assert(offsetof(leadscrew_loop_figures, greatest) == 16);
+static_assert(offsetof(leadscrew_loop_figures, rms) == 88);
+static_assert(offsetof(leadscrew_loop_figures, overshoot) == 160);
+static_assert(offsetof(leadscrew_loop_figures, feed_greatest) == 232);
+static_assert(offsetof(leadscrew_loop_figures, feed_mean) == 240);
+static_assert(offsetof(leadscrew_loop_figures, contour) == 248);
+static_assert(offsetof(leadscrew_loop_figures, contour_rms) == 256);
 
 static_assert(sizeof(leadscrew_checked) == 176);
 static_assert(offsetof(leadscrew_checked, blocks) == 8);

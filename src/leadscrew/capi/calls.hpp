@@ -29,7 +29,7 @@ inline constexpr std::size_t first_size<leadscrew_move> = 168;
 template <>
 inline constexpr std::size_t first_size<leadscrew_state> = 336;
 template <>
-inline constexpr std::size_t first_size<leadscrew_limits> = sizeof(leadscrew_limits);
+inline constexpr std::size_t first_size<leadscrew_limits> = offsetof(leadscrew_limits, period);
 template <>
 inline constexpr std::size_t first_size<leadscrew_checked> = sizeof(leadscrew_checked);
 template <>
@@ -38,6 +38,12 @@ template <>
 inline constexpr std::size_t first_size<leadscrew_pose> = sizeof(leadscrew_pose);
 template <>
 inline constexpr std::size_t first_size<leadscrew_hold> = sizeof(leadscrew_hold);
+template <>
+inline constexpr std::size_t first_size<leadscrew_loop_options> = sizeof(leadscrew_loop_options);
+template <>
+inline constexpr std::size_t first_size<leadscrew_followed> = sizeof(leadscrew_followed);
+template <>
+inline constexpr std::size_t first_size<leadscrew_loop_figures> = sizeof(leadscrew_loop_figures);
 template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_task> = offsetof(leadscrew_pulse_task, semi_axes);
 template <>

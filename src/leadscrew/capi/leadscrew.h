@@ -7,7 +7,8 @@
  *   while (!leadscrew_motion_next(motion, words, sizeof *words, 1000, &count, &error) && count > 0) …
  *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
  *
- * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time; or one line or
+ * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time; or where slides
+ * are whose simulated loops follow words, leadscrew_loops_follow(); or one line or
  * arc by an interpolator of reference pulses, every register to be seen at every clock: leadscrew_pulses_load().
  *
  * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
@@ -46,6 +47,7 @@ typedef struct leadscrew_machine leadscrew_machine;       /**< limits and period
 typedef struct leadscrew_motion leadscrew_motion;         /**< along one program, or along moves */
 typedef struct leadscrew_trajectory leadscrew_trajectory; /**< a motion, planned to its end; never changes */
 typedef struct leadscrew_pulses leadscrew_pulses;         /**< an interpolator of reference pulses along one curve */
+typedef struct leadscrew_loops leadscrew_loops;           /**< a machine's axes under simulated loops */
 
 /** What functions return. */
 enum {
@@ -114,6 +116,15 @@ typedef int (*leadscrew_progress_function)(double share, void* user);
  * called; not 0 where there is none. */
 typedef int (*leadscrew_subprogram_function)(const char* name, const char** text, size_t* length, void* user);
 
+/** How words step along curves (G5, G6.2): by arc length, or by a published rule (interpolator/parameter_steps.hpp). */
+enum {
+  LEADSCREW_ARC_LENGTH = 0,
+  LEADSCREW_TAYLOR1 = 1,
+  LEADSCREW_TAYLOR2 = 2,
+  LEADSCREW_NEWTON = 3,
+  LEADSCREW_UNIFORM = 4
+};
+
 /** How a motion is made. All 0 but its size, it is as if none were given. */
 typedef struct leadscrew_options {
   size_t size;                            /**< of this structure, sizeof */
@@ -134,7 +145,8 @@ typedef struct leadscrew_options {
       has_probe; /**< not 0: leadscrew_motion_probe_found() ends probing moves; 0: as the machine's simulated probe does */
   int32_t has_inputs;    /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
   int32_t allow_gouging; /**< not 0: surfaces (G6.5) are machined though the tool gouges where it touches; 0: error */
-  int32_t reserved;      /**< 0 */
+  int32_t
+      step_rule; /**< LEADSCREW_ARC_LENGTH … LEADSCREW_UNIFORM, of leadscrew_motion_next(); a trajectory is by arc length */
 } leadscrew_options;
 
 /** Kinds of moves. */
@@ -201,6 +213,8 @@ typedef struct leadscrew_limits {
   double chord_error;                  /**< between words, mm; > 0 */
   int32_t axes;                        /**< that it has: 1 << 0 for X and so on, together */
   int32_t reserved;                    /**< 0 */
+  /* Here the limits of the first version ended. */
+  double period; /**< of the servo, s, 10e-6 … 20e-3, rounded to a nanosecond; 0 of limits that are given: stays */
 } leadscrew_limits;
 
 /** Of a program that was read and not moved. */
@@ -410,6 +424,53 @@ typedef struct leadscrew_pulse_figures {
   int32_t reserved;    /**< 0 */
 } leadscrew_pulse_figures;
 
+/** What closes the loops of simulated axes. */
+enum { LEADSCREW_OWN_LOOPS = 0, LEADSCREW_CASCADE = 1, LEADSCREW_PID = 2, LEADSCREW_PULSE_LOOP = 3 };
+/** Where a loop measures position. */
+enum { LEADSCREW_OWN_ENCODER = 0, LEADSCREW_ROTARY_ENCODER = 1, LEADSCREW_LINEAR_ENCODER = 2 };
+
+/** Of the simulated loops of all axes. All 0 but its size, they are those of the machine's file. Members that the controller
+ * does not name are not read; lengths in mm stand for degrees of rotary axes. */
+typedef struct leadscrew_loop_options {
+  size_t size;              /**< of this structure, sizeof */
+  int32_t controller;       /**< LEADSCREW_OWN_LOOPS … LEADSCREW_PULSE_LOOP */
+  int32_t encoder;          /**< LEADSCREW_OWN_ENCODER … LEADSCREW_LINEAR_ENCODER: at the screw, or on the slide */
+  double proportional;      /**< P of a PID, units/mm; >= 0 */
+  double integral;          /**< I of a PID, units/(mm s); >= 0 */
+  double derivative;        /**< D of a PID, units/mm: of the error's difference from period to period; >= 0 */
+  double drive_gain;        /**< K of a PID's drive, mm/s a unit; 0: the machine's */
+  double time_constant;     /**< of a PID's drive, or of the pulse loop's motor and tachometer, s; 0: the machine's */
+  double position_gain;     /**< Kv of a cascade or of the pulse loop, 1/s; 0: the machine's */
+  double velocity_gain;     /**< of a cascade: mm/s2 for 1 mm/s that is missing, 1/s; 0: the machine's */
+  double velocity_integral; /**< of a cascade, 1/s2; >= 0 */
+  double forward;           /**< share of velocity and acceleration that a cascade or a PID feeds forward, 0 … 1 */
+  double backlash;          /**< play of every screw, mm, where its own is less; >= 0; the pulse loop has none */
+} leadscrew_loop_options;
+
+/** Where simulated axes were at one word. */
+typedef struct leadscrew_followed {
+  size_t size;                     /**< of this structure, sizeof */
+  int64_t tick;                    /**< of the word; -1: nothing has come of any yet */
+  double position[LEADSCREW_AXES]; /**< of the slides, mm or degrees */
+  double velocity[LEADSCREW_AXES]; /**< of the screws, as tachometers tell it, mm/s or degrees/s */
+  double
+      control[LEADSCREW_AXES]; /**< from there on: units of a PID, mm/s2 of a cascade, counts of an up-down counter */
+  double current[LEADSCREW_AXES]; /**< of the motors, as the acceleration that it gives, mm/s2 or degrees/s2 */
+} leadscrew_followed;
+
+/** Of all words until now. */
+typedef struct leadscrew_loop_figures {
+  size_t size;                      /**< of this structure, sizeof */
+  int64_t periods;                  /**< that were followed */
+  double greatest[LEADSCREW_AXES];  /**< of the size of the following error, mm or degrees */
+  double rms[LEADSCREW_AXES];       /**< of the following error */
+  double overshoot[LEADSCREW_AXES]; /**< greatest of all stops */
+  double feed_greatest;             /**< by tachometers, mm/s */
+  double feed_mean;                 /**< while words ask for motion */
+  double contour; /**< greatest distance from the way that words lead, in order, mm; -1 of a machine with rotary axes */
+  double contour_rms; /**< the same */
+} leadscrew_loop_figures;
+
 /** Such as "0.1.0". */
 LEADSCREW_API const char* leadscrew_version(void);
 
@@ -530,6 +591,21 @@ LEADSCREW_API int leadscrew_trajectory_hold(const leadscrew_trajectory* trajecto
                                             double feed_asked, leadscrew_hold* hold, leadscrew_error* error);
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_trajectory_free(leadscrew_trajectory* trajectory);
+
+/** Axes at rest, under loops that begin with the first word; `options` may be NULL. LEADSCREW_REJECTED where a gain is out of its
+ * range, error.field says which, or a loop is not stable. */
+LEADSCREW_API int leadscrew_loops_begin(const leadscrew_machine* machine, const leadscrew_loop_options* options,
+                                        leadscrew_loops** loops, leadscrew_error* error);
+/** The next word, `word_size` is sizeof(leadscrew_word), and what came of the word before the last; of the last under pulse
+ * loops. After the last, repeat it at rest for as long as the axes should come closer. LEADSCREW_FAILED where a slide is off by
+ * more than its travel. */
+LEADSCREW_API int leadscrew_loops_follow(leadscrew_loops* loops, const leadscrew_word* word, size_t word_size,
+                                         leadscrew_followed* followed, leadscrew_error* error);
+/** Of all words until now, as `leadscrew simulate` measures them. */
+LEADSCREW_API int leadscrew_loops_figures(const leadscrew_loops* loops, leadscrew_loop_figures* figures,
+                                          leadscrew_error* error);
+/** It may be NULL. */
+LEADSCREW_API void leadscrew_loops_free(leadscrew_loops* loops);
 
 /** Of LEADSCREW_METHODS ... LEADSCREW_TIES the name with this number, from 0; NULL where there are not so many. */
 LEADSCREW_API const char* leadscrew_pulse_name(int what, size_t number);

@@ -108,6 +108,7 @@ leadscrew_limits limits_of(const machine::Machine& from) {
   }
   limits.tolerance = from.tolerance;
   limits.chord_error = from.chord_error;
+  limits.period = from.period.seconds();
   return limits;
 }
 
@@ -124,6 +125,9 @@ machine::Machine with_limits(machine::Machine machine, const leadscrew_limits& l
   }
   machine.tolerance = limits.tolerance;
   machine.chord_error = limits.chord_error;
+  // Out of the range of a servo period, so that it is refused, where it would not fit a whole number of nanoseconds.
+  if (limits.period != 0)
+    machine.period.nanoseconds = std::fabs(limits.period) < 1 ? std::llround(limits.period * 1e9) : 0;
   return machine;
 }
 
@@ -214,6 +218,10 @@ base::Result<host::MotionOptions> options_of(const leadscrew_options& given, con
   options.has_inputs = given.has_inputs != 0;
   options.has_probe = given.has_probe != 0;
   options.allows_gouging = given.allow_gouging != 0;
+  if (given.step_rule < 0 || given.step_rule > LEADSCREW_UNIFORM)
+    return base::failure(base::problem("step-rule", "no rule by which words step along curves has this number",
+                                       "LEADSCREW_ARC_LENGTH to LEADSCREW_UNIFORM", {.field = "step_rule"}));
+  options.step_rule = interpolator::all_step_rules[static_cast<std::size_t>(given.step_rule)];
   if (given.on_subprogram != nullptr) options.subprogram = subprograms_of(given);
   if (given.on_event != nullptr) {
     options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {

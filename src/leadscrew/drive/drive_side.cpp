@@ -147,7 +147,7 @@ class DriveSide : public WordSide {
     word.position = place.position;
     const std::optional<servo::Followed> followed = servo_.follow(word);
     if (!followed) return;
-    took(check_followed(*followed, machine_));
+    took(servo::check_followed(*followed, machine_));
     // Of the word before the last; motion rests where another tool, or none, is what feed is counted by.
     tracking_.observe(*followed, tip_motions_.next(poses_, *followed));
     Feedback feedback{last_, followed->position, tracking_.measured_feed(), 0, poses_.tool()};

@@ -1,12 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/drive/slides.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/referee/metric.hpp>
-#include <leadscrew/servo/machine_loops.hpp>
-#include <leadscrew/servo/stability.hpp>
 #include <numbers>
 
 namespace leadscrew::drive {
@@ -23,70 +19,36 @@ base::AxisVector scale_of(const machine::Machine& machine) {
   return scale;
 }
 
-std::int64_t periods_in(double seconds, base::Period period) {
-  return std::max<std::int64_t>(1, std::llround(std::min(seconds, 60.0) / period.seconds()));
-}
-
-/// Six time constants behind: e⁻⁶ of a step is left.
-servo::ContourWindow window_of(double lag, base::Period period) {
-  const auto behind = static_cast<int>(std::max<std::int64_t>(16, periods_in(6 * lag, period)));
-  return {behind, std::max(8, behind / 3)};
-}
-
 }  // namespace
 
 base::Result<Slides> Slides::create(const machine::Machine& machine, LoopKind kind, referee::MoveSource moves) {
-  if (kind == LoopKind::pulses) {
-    auto servo = servo::PulseServo::create(machine);
-    if (!servo) return base::failure(std::move(servo.error()));
-    const double lag = servo->longest_lag();
-    return Slides(machine, std::move(moves), std::move(*servo), lag);
-  }
-  const servo::ServoOptions options = servo::loops_of(machine);
-  if (auto stable = servo::check_stable(options, machine.period); !stable) return base::failure(stable.error());
-  auto servo = servo::Servo::create(options, machine.period);
-  if (!servo) return base::failure(std::move(servo.error()));
-  return Slides(machine, std::move(moves), std::move(*servo), servo::longest_lag(options));
+  auto follower = servo::Follower::create(machine, kind);
+  if (!follower) return base::failure(std::move(follower.error()));
+  return Slides(machine, std::move(moves), std::move(*follower));
 }
 
-Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag)
+Slides::Slides(const machine::Machine& machine, referee::MoveSource moves, servo::Follower follower)
     : machine_(&machine),
       axes_(machine.axis_set()),
       follower_(std::move(follower)),
       tracking_(axes_, machine.period),
-      matcher_(scale_of(machine), window_of(lag, machine.period)),
+      matcher_(scale_of(machine), servo::window_of(follower_.lag(), machine.period)),
       referee_(std::move(moves), machine, machine.period, files::interrupted),
       poses_(machine),
-      quiet_(periods_in(std::max(quiet_time, 2 * std::min(lag, 1.0)), machine.period)),
-      most_after_(std::min<std::int64_t>(periods_in(longest_time, machine.period), 200'000)) {}
+      quiet_(servo::periods_in(std::max(quiet_time, 2 * std::min(follower_.lag(), 1.0)), machine.period)),
+      most_after_(std::min<std::int64_t>(servo::periods_in(longest_time, machine.period), 200'000)) {}
 
 base::Result<std::optional<servo::Followed>> Slides::follow(const base::Word& word) {
-  auto followed = std::visit([&](auto& follower) { return follower.follow(word); }, follower_);
+  const std::optional<servo::Followed> followed = follower_.follow(word);
   if (!followed) return followed;
-  if (auto stable = check_followed(*followed, *machine_); !stable) return base::failure(std::move(stable.error()));
+  if (auto stable = servo::check_followed(*followed, *machine_); !stable)
+    return base::failure(std::move(stable.error()));
   poses_.advance(followed->word.tick);
   tracking_.observe(*followed, tip_motions_.next(poses_, *followed));
   referee_.observe(followed->position);
   observe_contour(*followed);
   if (ending_) watch_rest(*followed);
   return followed;
-}
-
-base::Result<void> check_followed(const servo::Followed& followed, const machine::Machine& machine) {
-  for (const base::Axis axis : base::all_axes) {
-    if (!machine.has(axis)) continue;
-    const machine::AxisLimits& limits = machine.limits(axis);
-    const double error = followed.word.position[base::index(axis)] - followed.position[base::index(axis)];
-    if (std::fabs(error) <= limits.travel_max - limits.travel_min) continue;
-    base::Diagnostic problem;
-    problem.code = "servo-unstable";
-    problem.message =
-        fmt::format("axis {}: the slide is off by {:.3g} {} at t = {:.3f} s", base::letter(axis), error,
-                    base::is_rotary(axis) ? "degrees" : "mm", base::seconds(followed.word.tick, machine.period));
-    problem.hint = "its loop is not stable; lower the gains, or shorten the period";
-    return base::failure(std::move(problem));
-  }
-  return {};
 }
 
 void Slides::watch_rest(const servo::Followed& followed) {
@@ -164,7 +126,7 @@ std::optional<double> Slides::settling() const {
 
 std::vector<std::pair<base::Axis, PulseCounts>> Slides::pulses() const {
   std::vector<std::pair<base::Axis, PulseCounts>> counts;
-  const auto* servo = std::get_if<servo::PulseServo>(&follower_);
+  const servo::PulseServo* servo = follower_.pulses();
   if (servo == nullptr) return counts;
   for (const base::Axis axis : base::all_axes) {
     if (const servo::PulseLoop* loop = servo->loop(axis))

@@ -6,21 +6,17 @@
 #include <leadscrew/kinematics/word_poses.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <leadscrew/servo/contour_matcher.hpp>
-#include <leadscrew/servo/pulse_servo.hpp>
+#include <leadscrew/servo/follower.hpp>
 #include <leadscrew/servo/tracking.hpp>
-#include <variant>
 
 namespace leadscrew::drive {
 
-enum class LoopKind : std::uint8_t { words, pulses };
-
-/// A slide that is off by more than its whole travel is not followed any more. Errors: `servo-unstable`.
-base::Result<void> check_followed(const servo::Followed& followed, const machine::Machine& machine);
+using servo::LoopKind;
 
 class Slides {
  public:
-  /// moves: of the program, for the referee. The machine must outlive the slides. Errors: those of servo::Servo and
-  /// servo::PulseServo.
+  /// moves: of the program, for the referee. The machine must outlive the slides. Errors: those of
+  /// servo::Follower.
   static base::Result<Slides> create(const machine::Machine& machine, LoopKind kind, referee::MoveSource moves);
 
   /// What the plan tells of the tool (pipeline::Program::tell_tool), before the word in whose period it happens.
@@ -47,9 +43,7 @@ class Slides {
   SlideFigures conclude();
 
  private:
-  using Follower = std::variant<servo::Servo, servo::PulseServo>;
-
-  Slides(const machine::Machine& machine, referee::MoveSource moves, Follower follower, double lag);
+  Slides(const machine::Machine& machine, referee::MoveSource moves, servo::Follower follower);
   void watch_rest(const servo::Followed& followed);
   void observe_contour(const servo::Followed& followed);
   void note_contour(servo::Contour& contour);
@@ -58,7 +52,7 @@ class Slides {
 
   const machine::Machine* machine_;
   base::AxisSet axes_;
-  Follower follower_;
+  servo::Follower follower_;
   servo::Tracking tracking_;
   servo::ContourMatcher matcher_;
   referee::Referee referee_;

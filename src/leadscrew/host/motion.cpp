@@ -65,6 +65,7 @@ void Motion::join(std::optional<Joined>& joined, pipeline::MoveInput moves) cons
 void Motion::begin() {
   join(program_, [this](gcode::Move& move) { return moves_.give(move); });
   program_->slice(options_.slice);
+  program_->step_by(options_.step_rule);
   feed_override_ = 1;
   if (options_.on_event) program_->on_event(options_.on_event);
 }

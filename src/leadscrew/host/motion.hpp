@@ -48,6 +48,8 @@ struct MotionOptions {
   bool has_probe = false;
   /// Surfaces (G6.5) are machined though the tool gouges where it touches. Otherwise that is an error, `surface-gouge`.
   bool allows_gouging = false;
+  /// By which words step along curves; plan() is by arc length.
+  interpolator::StepRule step_rule = interpolator::StepRule::arc_length;
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,
   /// 0 … 1, of the program that has been read, 0 of moves. Once it says false, what was asked for fails with
   /// `interrupted`; motion comes to rest.

@@ -15,14 +15,16 @@ export const error = {
 export const options = {
   size: 152,
   onDiagnostic: 92,
+  start: 8,
   file: 100,
   tools: 104,
   toolsLength: 108,
   onProgress: 116,
+  stepRule: 148,
 } as const;
 
 export const limits = {
-  size: 392,
+  size: 400,
   least: 8,
   greatest: 80,
   velocity: 152,
@@ -31,6 +33,22 @@ export const limits = {
   tolerance: 368,
   chordError: 376,
   axes: 384,
+  period: 392,
+} as const;
+
+export const word = { size: 120, tick: 0, position: 8, speed: 88, feed: 96, state: 112 } as const;
+export const loopOptions = { size: 96, controller: 4, encoder: 8, gains: 16 } as const;
+export const followed = { size: 304, tick: 8, position: 16, velocity: 88, control: 160, current: 232 } as const;
+export const loopFigures = {
+  size: 264,
+  periods: 8,
+  greatest: 16,
+  rms: 88,
+  overshoot: 160,
+  feedGreatest: 232,
+  feedMean: 240,
+  contour: 248,
+  contourRms: 256,
 } as const;
 
 export const checked = { size: 176, blocks: 8, moves: 16, bound: 24, least: 32, greatest: 104 } as const;

@@ -52,6 +52,18 @@ interface Exports extends CommonExports {
   leadscrew_motion_override(motion: number, factor: number, error: number): number;
   leadscrew_motion_plan(motion: number, trajectory: number, error: number): number;
   leadscrew_motion_free(motion: number): void;
+  leadscrew_motion_next(
+    motion: number,
+    words: number,
+    wordSize: number,
+    capacity: number,
+    count: number,
+    error: number,
+  ): number;
+  leadscrew_loops_begin(machine: number, options: number, loops: number, error: number): number;
+  leadscrew_loops_follow(loops: number, word: number, wordSize: number, followed: number, error: number): number;
+  leadscrew_loops_figures(loops: number, figures: number, error: number): number;
+  leadscrew_loops_free(loops: number): void;
   leadscrew_trajectory_figures(trajectory: number, figures: number, error: number): number;
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
   leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
@@ -155,6 +167,7 @@ export class MotionModule extends WasmModule<Exports> {
         tolerance: this.number(at + of.tolerance),
         chordError: this.number(at + of.chordError),
         axes: this.view.getInt32(at + of.axes, true),
+        period: this.number(at + of.period),
       };
       for (const name of ofAxes) limits[name] = this.numbers(at + of[name]);
       return limits;
@@ -169,6 +182,7 @@ export class MotionModule extends WasmModule<Exports> {
       view.setFloat64(at + of.tolerance, limits.tolerance, true);
       view.setFloat64(at + of.chordError, limits.chordError, true);
       view.setInt32(at + of.axes, limits.axes, true);
+      view.setFloat64(at + of.period, limits.period, true);
       return this.made((to, error) => this.calls.leadscrew_machine_limited(machine, at, to, error));
     });
   }

@@ -13,6 +13,8 @@ export interface Limits {
   chordError: number;
   /** Bits, 1 for X and so on. */
   axes: number;
+  /** Of the servo, s. */
+  period: number;
 }
 
 export interface Diagnostic {
@@ -211,6 +213,89 @@ export interface Task {
   readonly override: number;
 }
 
+/** What closes the loops of simulated axes, in the order of leadscrew.h; `own`: what the machine's file says. */
+export const controllers = ["own", "cascade", "pid", "pulses"] as const;
+export type Controller = (typeof controllers)[number];
+/** Where a loop measures position: `own` as the machine's file says, at the screw, or on the slide. */
+export const encoders = ["own", "rotary", "linear"] as const;
+export type Encoder = (typeof encoders)[number];
+
+/** Numbers of the loops, in the order of leadscrew.h; which of them count is up to the controller. */
+export const gainNames = [
+  "proportional",
+  "integral",
+  "derivative",
+  "driveGain",
+  "timeConstant",
+  "positionGain",
+  "velocityGain",
+  "velocityIntegral",
+  "forward",
+  "backlash",
+] as const;
+export type GainName = (typeof gainNames)[number];
+
+/** Of all axes; a gain that is left out is the machine's, or 0. */
+export interface LoopOptions {
+  readonly controller: Controller;
+  readonly encoder: Encoder;
+  readonly gains: Partial<Readonly<Record<GainName, number>>>;
+}
+
+/** Rules by which words step along curves, in the order of leadscrew.h. */
+export const stepRules = ["arc-length", "taylor1", "taylor2", "newton", "uniform"] as const;
+export type StepRule = (typeof stepRules)[number];
+
+/** As `leadscrew simulate` measures them; a number an axis, mm or degrees. */
+export interface LoopFigures {
+  readonly greatest: number[];
+  readonly rms: number[];
+  readonly overshoot: number[];
+  /** mm/s, by tachometers. */
+  readonly feedGreatest: number;
+  readonly feedMean: number;
+  /** mm; -1 of rotary axes. */
+  readonly contour: number;
+  readonly contourRms: number;
+}
+
+/** Where simulated axes were; arrays of axes hold a number each, word after word, on until they stand. */
+export interface Slides {
+  readonly count: number;
+  /** Axes that the machine has. */
+  readonly axes: readonly number[];
+  readonly position: Float64Array;
+  /** Of the screws, as tachometers tell it; of the controllers; of the motors. */
+  readonly velocity: Float32Array;
+  readonly control: Float32Array;
+  readonly current: Float32Array;
+  readonly figures: LoopFigures;
+}
+
+/** Words of a program, and what loops made of them. */
+export interface WordTask extends Task {
+  readonly rule: StepRule;
+  /** Where motion begins, a number an axis. */
+  readonly start: readonly number[];
+  readonly loops?: LoopOptions | undefined;
+  /** More words are a problem. */
+  readonly most: number;
+}
+
+export interface Words {
+  /** s */
+  readonly period: number;
+  /** Words, the first at rest at time 0. */
+  readonly count: number;
+  /** X, Y and Z, word after word, mm. */
+  readonly position: Float64Array;
+  /** 1 of a word at which the speed along the path is constant. */
+  readonly steady: Uint8Array;
+  /** Of planning and interpolation together, of a word, ns; as the clock here tells it. */
+  readonly cost: number;
+  readonly slides: Slides | undefined;
+}
+
 export interface PlannerCalls {
   /** Of a machine file; of the built-in mill where it is empty. */
   limits(machine: string): Promise<Limits | Diagnostic>;
@@ -221,6 +306,10 @@ export interface PlannerCalls {
   equipment(task: Task): Promise<Pick<Plan, "tools" | "surfaces">>;
   /** Where a program gouges the surfaces that it machines by more than its machine's tolerance. */
   gouges(task: Task): Promise<readonly Gouge[] | Diagnostic>;
+  /** Every word of a program, by a rule; through loops where they are given. */
+  words(task: WordTask): Promise<Words | Diagnostic>;
+  /** What loops make of the words of what was planned last. */
+  slides(task: Task, loops: LoopOptions): Promise<Slides | Diagnostic>;
   /** All words of what was planned last, as `leadscrew run --trace` writes them. */
   trace(): Promise<Blob>;
   /** What a code or a block means; empty where nothing is known. */

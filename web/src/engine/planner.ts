@@ -8,20 +8,36 @@ import type {
   Figures,
   Gouge,
   Limits,
+  LoopOptions,
   Phase,
   Plan,
   PlannerCalls,
+  Slides,
   SurfaceMesh,
   Task,
   ToolShape,
+  Words,
+  WordTask,
 } from "./motion_types";
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
 import { gougeAt, surfaceAt, toolAt } from "./surfaces";
-import { BlockList, samplesOf, traceOf } from "./sampling";
+import { slidesOf } from "./loops";
+import { axesOf, BlockList, samplesOf, traceOf } from "./sampling";
+import { wordsOf } from "./words";
 
 const mostLosses = 50; // told one by one
 const shownSag = 0.02; // mm, of surfaces that are only looked at
 const leastTolerance = 1e-3; // mm, of gouges
+
+const nothingPlanned: Diagnostic = {
+  severity: 2,
+  line: 0,
+  column: 0,
+  code: "nothing-planned",
+  message: "there is no motion that loops could follow",
+  hint: "plan a sound program first",
+  field: "",
+};
 
 export type Told = (phase: Phase, share: number) => void;
 
@@ -145,6 +161,37 @@ export class Planner implements PlannerCalls {
     );
     module.calls.leadscrew_machine_free(machine);
     return failure ?? this.gouged;
+  }
+
+  async words(task: WordTask): Promise<Words | Diagnostic> {
+    this.begin("planning");
+    const machine = this.machineOf(task);
+    if (typeof machine !== "number") return machine;
+    try {
+      return wordsOf(this.module, machine, task);
+    } finally {
+      this.module.calls.leadscrew_machine_free(machine);
+    }
+  }
+
+  async slides(task: Task, loops: LoopOptions): Promise<Slides | Diagnostic> {
+    const { module, planned } = this;
+    if (planned === undefined) return nothingPlanned;
+    this.begin("looking");
+    const machine = this.machineOf(task);
+    if (typeof machine !== "number") return machine;
+    const { trajectory, period, figures } = planned;
+    try {
+      return module.withSized(layout.state.size, (at) =>
+        slidesOf(module, machine, axesOf(task.limits), loops, figures.words + 1, (word, to) => {
+          if (word % 4096 === 0) this.told("looking", word / (figures.words + 1));
+          module.calls.leadscrew_trajectory_at(trajectory, word * period, at, 0);
+          to.set(new Float64Array(module.calls.memory.buffer, at + layout.state.position, layout.axes));
+        }),
+      );
+    } finally {
+      module.calls.leadscrew_machine_free(machine);
+    }
   }
 
   async trace(): Promise<Blob> {

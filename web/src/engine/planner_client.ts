@@ -41,6 +41,8 @@ export class PlannerClient implements PlannerCalls {
   readonly plan: PlannerCalls["plan"] = (task, most) => this.call("plan", [task, most]);
   readonly equipment: PlannerCalls["equipment"] = (task) => this.call("equipment", [task]);
   readonly gouges: PlannerCalls["gouges"] = (task) => this.call("gouges", [task]);
+  readonly words: PlannerCalls["words"] = (task) => this.call("words", [task]);
+  readonly slides: PlannerCalls["slides"] = (task, loops) => this.call("slides", [task, loops]);
   readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);
   readonly explain: PlannerCalls["explain"] = (block) => this.call("explain", [block]);
 
