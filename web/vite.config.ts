@@ -1,4 +1,4 @@
-// Three pages, each served, with its engine in a worker, and as one file that opens from disk (--mode lesson, compare,
+// Four pages, each served, with its engine in a worker, and as one file that opens from disk (--mode lesson, compare, words,
 // program).
 
 import { readFileSync } from "node:fs";
@@ -7,7 +7,7 @@ import { defineConfig, type Plugin } from "vite";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const built = here("../build/web");
-const pages = { lesson: "index.html", compare: "compare.html", program: "program.html" } as const;
+const pages = { lesson: "index.html", compare: "compare.html", words: "words.html", program: "program.html" } as const;
 type Page = keyof typeof pages;
 
 /** leadscrew:NAME.wasm as an address or as text; leadscrew:engine, planner and scene as the one or the other way to open them. */
@@ -40,13 +40,13 @@ function engine(isFile: boolean): Plugin {
 
 /** What a page may load: nothing but itself. The editor of programs writes its style into the page. */
 function policy(isFile: boolean): Plugin {
-  const rules = (isProgram: boolean): string[] => [
+  const rules = (isProgram: boolean, plans: boolean): string[] => [
     "default-src 'none'",
     `script-src ${isFile ? "'unsafe-inline'" : "'self'"} 'wasm-unsafe-eval'`,
     `style-src ${isFile || isProgram ? "'unsafe-inline'" : ""} ${isFile ? "" : "'self'"}`,
     "img-src 'self' data: blob:",
     isFile ? "connect-src 'none'" : "connect-src 'self'",
-    isFile ? (isProgram ? "worker-src blob: data:" : "worker-src 'none'") : "worker-src 'self'",
+    isFile ? (plans ? "worker-src blob: data:" : "worker-src 'none'") : "worker-src 'self'",
     "base-uri 'none'",
     "form-action 'none'",
   ];
@@ -58,7 +58,7 @@ function policy(isFile: boolean): Plugin {
         tag: "meta",
         attrs: {
           "http-equiv": "Content-Security-Policy",
-          content: rules(path.endsWith(pages.program)).join("; "),
+          content: rules(path.endsWith(pages.program), !/(index|compare)\.html$/.test(path)).join("; "),
         },
         injectTo: "head-prepend",
       },
@@ -96,7 +96,7 @@ function oneFile(name: Page): Plugin {
 export default defineConfig(({ mode }) => {
   const file = mode in pages ? (mode as Page) : undefined;
   const isFile = file !== undefined;
-  const inputs: readonly Page[] = file === undefined ? ["lesson", "compare", "program"] : [file];
+  const inputs: readonly Page[] = file === undefined ? ["lesson", "compare", "words", "program"] : [file];
   return {
     base: "./",
     plugins: [engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],

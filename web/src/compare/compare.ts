@@ -7,17 +7,18 @@ import { graphText } from "../lesson/graph";
 import { Session } from "../lesson/session";
 import { commandOf, fieldOf, quantity, taskOf, type FieldErrors } from "../lesson/settings";
 import { html } from "../ui/dom";
+import { Player } from "../ui/player";
 import { Transport } from "../ui/transport";
 import { CurveForm } from "./curve_form";
 import { FigureTable, type Compared } from "./figure_table";
 import { conventionsText } from "./figures";
 import { LaneForms } from "./lane_forms";
-import type { Drawn } from "./pictures";
+import { PulseScene, type Drawn } from "./pictures";
+import type { Camera, Layout } from "./scene";
 import { Stage } from "./stage";
 import { comparisonOf, figureOf, fromLink, laneKeys, settingsOfLane, stateOf, toLink, type State } from "./state";
 
 const mostClocks = 131_072;
-const mostClocksAFrame = 256;
 
 export class Compare {
   readonly element: HTMLElement;
@@ -31,8 +32,10 @@ export class Compare {
   private compared: readonly Compared[] = [];
   private curveErrors: FieldErrors = new Map();
   private laneErrors: FieldErrors[] = [];
-  private clock = 0;
-  private isRunning = false;
+  private readonly player = new Player({
+    changed: () => this.show(),
+    pace: () => quantity(this.state.curve.interval),
+  });
   private loads = 0;
   private linkTimer = 0;
 
@@ -55,33 +58,37 @@ export class Compare {
     this.laneForms = new LaneForms(catalogue, {
       change: (lanes) => {
         this.state.lanes = lanes;
-        void this.load(this.clock);
+        void this.load(this.player.clock);
       },
     });
-    const seek = (clock: number): void => this.seek(clock);
+    const seek = (clock: number): void => this.player.seek(clock);
     this.transport = new Transport("Clock", {
       seek,
-      step: (by) => this.step(by),
-      toggle: () => this.toggle(),
+      step: (by) => this.player.step(by),
+      toggle: () => this.player.toggle(),
       interval: (text) => {
         this.state.curve.interval = text;
         this.show();
       },
     });
-    this.stage = new Stage({
+    const stage = {
       seek,
-      look: (camera) => {
+      look: (camera: Camera | undefined) => {
         this.state.camera = camera;
         this.show();
       },
-      layout: (layout) => {
+      layout: (layout: Layout) => {
         this.state.layout = layout;
         this.show();
       },
-    });
+    };
+    const label = "Errors of all methods over the clock";
+    this.stage = new Stage(stage, [{ id: "errors", title: "Error over the clock, BLU", label }]);
     this.element = html("div", { class: "lesson compare" }, ...this.content());
     addEventListener("hashchange", () => this.restore());
-    document.addEventListener("keydown", (event) => this.key(event));
+    document.addEventListener("keydown", (event) =>
+      this.player.key(event, "input, select, textarea, .path-frame, .figures"),
+    );
     void this.load(this.state.curve.clock);
   }
 
@@ -136,7 +143,7 @@ export class Compare {
       name: `${drawn.task.method}-${drawn.number + 1}`,
       session: drawn.session,
     }));
-    download("leadscrew-compare.vcd", vcdText(scopes, this.clock), "text/plain");
+    download("leadscrew-compare.vcd", vcdText(scopes, this.player.clock), "text/plain");
   }
 
   private reset(state: State): void {
@@ -152,7 +159,7 @@ export class Compare {
   }
 
   private link(): string {
-    return toLink({ ...this.state, curve: { ...this.state.curve, clock: this.clock } });
+    return toLink({ ...this.state, curve: { ...this.state.curve, clock: this.player.clock } });
   }
 
   private methodOf(name: string): Method | undefined {
@@ -174,7 +181,7 @@ export class Compare {
 
   private async load(clock: number): Promise<void> {
     const load = ++this.loads;
-    this.pause();
+    this.player.pause();
     this.element.dataset["loading"] = String(load);
     const [curveErrors, laneErrors, compared]: [FieldErrors, FieldErrors[], Compared[]] = [new Map(), [], []];
     for (const number of this.state.lanes.keys()) {
@@ -190,7 +197,7 @@ export class Compare {
     this.compared = compared;
     this.curveErrors = curveErrors;
     this.laneErrors = laneErrors;
-    this.clock = Math.min(clock, this.last);
+    this.player.load(Math.max(0, ...compared.map(({ drawn }) => drawn.session.last)), clock);
     this.element.dataset["loaded"] = String(load);
     this.show();
   }
@@ -217,55 +224,12 @@ export class Compare {
     };
   }
 
-  private get last(): number {
-    return Math.max(0, ...this.compared.map(({ drawn }) => drawn.session.last));
-  }
-
-  private seek(clock: number): void {
-    this.clock = Math.max(0, Math.min(clock, this.last));
-    this.show();
-  }
-
-  private step(by: 1 | -1): void {
-    this.pause();
-    this.seek(this.clock + by);
-  }
-
-  private toggle(): void {
-    if (this.isRunning) {
-      this.pause();
-      this.show();
-      return;
-    }
-    if (this.last === 0 || !(quantity(this.state.curve.interval) >= 0)) return;
-    if (this.clock === this.last) this.clock = 0;
-    this.isRunning = true;
-    let before = performance.now();
-    let owed = 0;
-    const go = (now: number): void => {
-      if (!this.isRunning) return;
-      const pace = quantity(this.state.curve.interval);
-      owed = pace > 0 ? Math.min(owed + (now - before) / 1000 / pace, mostClocksAFrame) : mostClocksAFrame;
-      before = now;
-      const clocks = Math.floor(owed);
-      owed -= clocks;
-      if (this.clock + clocks >= this.last) this.isRunning = false;
-      if (clocks > 0) this.seek(this.clock + clocks);
-      if (this.isRunning) requestAnimationFrame(go);
-    };
-    requestAnimationFrame(go);
-    this.show();
-  }
-
-  private pause(): void {
-    this.isRunning = false;
-  }
-
   private show(): void {
-    const { state, clock, compared } = this;
+    const { state, compared } = this;
+    const { clock, last, isRunning } = this.player;
     const drawn: Drawn[] = compared.map((each) => each.drawn);
     this.element.dataset["clock"] = String(clock);
-    this.element.dataset["state"] = this.isRunning ? "running" : "stopped";
+    this.element.dataset["state"] = isRunning ? "running" : "stopped";
     this.element.dataset["lanes"] = String(compared.length);
     const feed = quantity(state.curve.feed);
     this.curveForm.update(state, comparisonOf(state), this.curveErrors, feed > 0);
@@ -275,13 +239,13 @@ export class Compare {
     const wrong = pace >= 0 && pace <= 60 ? "" : "the interval is 0 (as fast as can be) to 60 s, such as 0.1";
     this.transport.update({
       clock,
-      last: this.last,
-      isRunning: this.isRunning,
-      mayRun: this.last > 0,
+      last,
+      isRunning,
+      mayRun: last > 0,
       interval: state.curve.interval,
       error: wrong,
     });
-    this.stage.update(drawn, state, clock, this.text());
+    this.stage.update(new PulseScene(drawn), state, clock, this.text());
     this.table.update(compared, clock, feed);
     this.commands.textContent = compared.map(({ command }) => command).join("\n");
     this.keepLink();
@@ -292,7 +256,7 @@ export class Compare {
     const one = this.compared[0]?.drawn;
     if (one === undefined) return "Nothing can be drawn yet";
     const [curve] = graphText(one.task, one.session).split(" and the steps");
-    return `${curve} and the steps of ${this.compared.map(({ drawn }) => drawn.title).join(", ")} until clock ${this.clock}`;
+    return `${curve} and the steps of ${this.compared.map(({ drawn }) => drawn.title).join(", ")} until clock ${this.player.clock}`;
   }
 
   private keepLink(): void {
@@ -301,28 +265,5 @@ export class Compare {
       this.linkTimer = 0;
       history.replaceState(null, "", this.link());
     }, 300);
-  }
-
-  /** Where no control has these keys. */
-  private key(event: KeyboardEvent): void {
-    const target = event.target as HTMLElement;
-    if (
-      event.ctrlKey ||
-      event.metaKey ||
-      event.altKey ||
-      target.matches("input, select, textarea, .path-frame, .figures")
-    )
-      return;
-    const actions: Readonly<Record<string, () => void>> = {
-      ArrowRight: () => this.step(1),
-      ArrowLeft: () => this.step(-1),
-      Home: () => this.seek(0),
-      End: () => this.seek(this.last),
-      ...(target.matches("button") ? {} : { " ": () => this.toggle() }),
-    };
-    const action = actions[event.key];
-    if (action === undefined) return;
-    event.preventDefault();
-    action();
   }
 }

@@ -6,7 +6,7 @@ import { boxOf, drawGrid, ends, frameOf, staircase, truth, type Box, type Frame 
 import type { Session } from "../lesson/session";
 import { signed } from "../ui/dom";
 import { colour } from "../ui/theme";
-import type { Camera } from "./state";
+import { dashOf, stripMargin, type Camera, type Scene } from "./scene";
 
 export interface Drawn {
   readonly title: string;
@@ -18,10 +18,8 @@ export interface Drawn {
   readonly session: Session;
 }
 
-const dashes: readonly (readonly number[])[] = [[], [9, 4], [3, 4], [10, 4, 2, 4]];
-
 export function strokeOf(number: number, width = 2): Stroke {
-  return { colour: colour(`lane-${number + 1}`), width, dash: dashes[number] ?? [] };
+  return { colour: colour(`lane-${number + 1}`), width, dash: dashOf(number) };
 }
 
 /** The box that all of them need. */
@@ -43,7 +41,7 @@ export function wholeCamera(lanes: readonly Drawn[], picture: { width: number; h
   return { x, y, across: picture.width / scale };
 }
 
-function frameOfCamera(camera: Camera, picture: Picture): Frame {
+export function frameOfCamera(camera: Camera, picture: Picture): Frame {
   const scale = picture.width / camera.across;
   return {
     scale,
@@ -52,14 +50,8 @@ function frameOfCamera(camera: Camera, picture: Picture): Frame {
   };
 }
 
-/** Lanes of the same curve, over one another; `title` stands in the corner. */
-export function drawLanes(
-  picture: Picture,
-  lanes: readonly Drawn[],
-  camera: Camera | undefined,
-  clock: number,
-  title = "",
-): void {
+/** Lanes of the same curve, over one another. */
+export function drawLanes(picture: Picture, lanes: readonly Drawn[], camera: Camera | undefined, clock: number): void {
   picture.rectangle(0, 0, picture.width, picture.height, colour("paper"));
   const [one] = lanes;
   if (one === undefined) return;
@@ -74,7 +66,6 @@ export function drawLanes(
     picture.line(staircase(session, frame, 0, until), stroke);
     if (frame.scale > 12) drawPlaces(picture, session, frame, until, stroke.colour, 2.2 + (lanes.length - 1 - i) * 1.2);
   }
-  if (title !== "") picture.text(title, 10, 20, { colour: colour("ink"), size: 12, weight: 600 });
   for (const { number, session } of lanes) {
     const until = Math.min(clock, session.last);
     const worst = ends([session.figure(until, "worstX"), session.figure(until, "worstY")], frame);
@@ -101,14 +92,36 @@ function drawPlaces(
   }
 }
 
+/** Lanes of pulses, as the stage shows them. */
+export class PulseScene implements Scene {
+  constructor(readonly lanes: readonly Drawn[]) {}
+
+  get last(): number {
+    return Math.max(0, ...this.lanes.map(({ session }) => session.last));
+  }
+
+  whole(size: { width: number; height: number }): Camera {
+    return wholeCamera(this.lanes, size);
+  }
+
+  drawPaths(picture: Picture, lane: number | undefined, camera: Camera | undefined, clock: number): void {
+    const some = lane === undefined ? this.lanes : this.lanes.slice(lane, lane + 1);
+    drawLanes(picture, some, camera, clock);
+  }
+
+  drawStrip(_strip: number, picture: Picture, clock: number): void {
+    drawErrors(picture, this.lanes, clock);
+  }
+}
+
 /** The error of each lane over the clock, > 0 outside or to the left; a line where the clock stands. */
 export function drawErrors(picture: Picture, lanes: readonly Drawn[], clock: number): void {
   picture.rectangle(0, 0, picture.width, picture.height, colour("paper"));
   const last = Math.max(1, ...lanes.map(({ session }) => session.last));
   let most = 0.1;
   for (const { session } of lanes) most = Math.max(most, session.figure(session.last, "maxError"));
-  const left = 52;
-  const [wide, high] = [picture.width - left - 12, picture.height - 40];
+  const { left } = stripMargin;
+  const [wide, high] = [picture.width - left - stripMargin.right, picture.height - 40];
   const x = (at: number): number => left + (at / last) * wide;
   const y = (error: number): number => 12 + high / 2 - (error / most) * (high / 2 - 2);
   const quiet = { colour: colour("quiet"), size: 11, align: "right" } as const;

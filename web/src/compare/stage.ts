@@ -1,39 +1,53 @@
 // The pictures: lanes over one another or beside one another, by one camera that keys, the wheel and the pointer move; and
-// their errors over the clock.
+// strips over their clock.
 
 import { CanvasPicture, SvgPicture } from "../draw/picture";
 import { html } from "../ui/dom";
-import { drawErrors, drawLanes, wholeCamera, type Drawn } from "./pictures";
-import { mostLanes, type Camera, type State } from "./state";
+import { mark } from "./lane_forms";
+import { stripMargin, type Camera, type Layout, type Scene, type View } from "./scene";
+import { mostLanes } from "./state";
 
 export interface StageEvents {
   look(camera: Camera | undefined): void;
-  layout(layout: State["layout"]): void;
+  layout(layout: Layout): void;
   seek(clock: number): void;
 }
 
-const least = 4; // BLU across
-const most = 4e9;
+/** Of a picture over the clock: the element's id, its title, and what it is called. */
+export interface Strip {
+  readonly id: string;
+  readonly title: string;
+  readonly label: string;
+}
+
+const most = 4e9; // across
 
 export class Stage {
   readonly element: HTMLElement;
   private readonly canvases: HTMLCanvasElement[] = [];
   private readonly frames: HTMLElement[] = [];
-  private readonly errors = html("canvas", { role: "img", id: "errors" });
+  private readonly captions: HTMLElement[] = [];
+  private readonly strips: HTMLCanvasElement[];
   private readonly layout: HTMLSelectElement;
-  private shown: { lanes: readonly Drawn[]; state: State; clock: number; text: string } | undefined;
+  private shown: { scene: Scene; view: View; clock: number; text: string } | undefined;
   private draws = 0;
   private drag: { readonly x: number; readonly y: number; readonly camera: Camera } | undefined;
 
-  constructor(private readonly events: StageEvents) {
-    for (let i = 0; i < mostLanes; ++i) this.canvas(i);
+  /** `least`: so many units across at the nearest. */
+  constructor(
+    private readonly events: StageEvents,
+    private readonly told: readonly Strip[],
+    private readonly least = 4,
+  ) {
+    const cells = [...Array(mostLanes).keys()].map(() => this.canvas());
+    this.strips = told.map(({ id }) => html("canvas", { role: "img", id }));
     this.layout = html("select", {
       id: "layout",
       "aria-label": "How the paths are laid out",
-      change: () => events.layout(this.layout.value as State["layout"]),
+      change: () => events.layout(this.layout.value as Layout),
     });
     this.layout.append(new Option("Over one another", "overlay"), new Option("Beside one another", "beside"));
-    this.errors.addEventListener("click", (event) => this.seekTo(event));
+    for (const strip of this.strips) strip.addEventListener("click", (event) => this.seekTo(event, strip));
     const button = (id: string, text: string, name: string, press: () => void): HTMLElement =>
       html("button", { type: "button", id, "aria-label": name, click: press }, text);
     this.element = html(
@@ -55,20 +69,24 @@ export class Stage {
             button("whole", "Whole curve", "Show the whole curve", () => events.look(undefined)),
           ),
         ),
-        html("div", { class: "paths" }, ...this.frames),
+        html("div", { class: "paths" }, ...cells),
       ),
-      html(
-        "section",
-        { class: "panel", "aria-labelledby": "errors-title" },
-        html("h2", { id: "errors-title" }, "Error over the clock, BLU"),
-        html("div", { class: "frame waves" }, this.errors),
+      ...told.map(({ id, title }, i) =>
+        html(
+          "section",
+          { class: "panel", "aria-labelledby": `${id}-title` },
+          html("h2", { id: `${id}-title` }, title),
+          html("div", { class: "frame waves" }, this.strips[i]),
+        ),
       ),
     );
     const sizes = new ResizeObserver(() => this.draw());
-    for (const frame of [...this.frames, this.errors.parentElement]) if (frame !== null) sizes.observe(frame);
+    for (const frame of [...this.frames, ...this.strips.map((each) => each.parentElement)])
+      if (frame !== null) sizes.observe(frame);
   }
 
-  private canvas(number: number): void {
+  /** A picture of paths with what stands above it. */
+  private canvas(number = this.canvases.length): HTMLElement {
     const canvas = html("canvas", { role: "img", id: `path-${number + 1}` });
     const frame = html("div", { class: "frame path-frame", tabindex: 0, role: "group" }, canvas);
     frame.addEventListener("keydown", (event) => this.key(event));
@@ -85,32 +103,42 @@ export class Stage {
     canvas.addEventListener("pointerup", () => (this.drag = undefined));
     this.canvases.push(canvas);
     this.frames.push(frame);
+    const caption = html("p", { class: "path-caption" });
+    this.captions.push(caption);
+    return html("div", { class: "path-cell" }, caption, frame);
   }
 
   /** What is looked at, also where that is the whole curve. */
   private camera(): Camera | undefined {
-    if (this.shown === undefined || this.shown.lanes.length === 0) return undefined;
-    const [width, height] = this.sizeOf(this.canvases[0] ?? this.errors);
-    return this.shown.state.camera ?? wholeCamera(this.shown.lanes, { width, height });
+    const [canvas] = this.canvases;
+    if (this.shown === undefined || this.shown.scene.lanes.length === 0 || canvas === undefined) return undefined;
+    const [width, height] = this.sizeOf(canvas);
+    return this.shown.view.camera ?? this.shown.scene.whole({ width, height });
+  }
+
+  /** As a link has it. */
+  private look({ x, y, across }: Camera): void {
+    const [atX, atY, width] = [x, y, across].map((each) => Number(each.toPrecision(8)));
+    this.events.look({ x: atX ?? x, y: atY ?? y, across: width ?? across });
   }
 
   private zoom(by: number): void {
     const camera = this.camera();
     if (camera === undefined) return;
-    this.events.look({ ...camera, across: Math.max(least, Math.min(most, camera.across * by)) });
+    this.look({ ...camera, across: Math.max(this.least, Math.min(most, camera.across * by)) });
   }
 
   private move(x: number, y: number): void {
     const camera = this.camera();
     if (camera === undefined) return;
-    this.events.look({ ...camera, x: camera.x + x * camera.across, y: camera.y + y * camera.across });
+    this.look({ ...camera, x: camera.x + x * camera.across, y: camera.y + y * camera.across });
   }
 
   private dragTo(event: PointerEvent, canvas: HTMLCanvasElement): void {
     if (this.drag === undefined) return;
     const { camera, x, y } = this.drag;
     const blu = camera.across / this.sizeOf(canvas)[0];
-    this.events.look({
+    this.look({
       ...camera,
       x: camera.x - (event.clientX - x) * blu,
       y: camera.y + (event.clientY - y) * blu,
@@ -135,40 +163,46 @@ export class Stage {
     action();
   }
 
-  private seekTo(event: MouseEvent): void {
+  private seekTo(event: MouseEvent, strip: HTMLCanvasElement): void {
     if (this.shown === undefined) return;
-    const last = Math.max(1, ...this.shown.lanes.map(({ session }) => session.last));
-    const [width] = this.sizeOf(this.errors);
-    this.events.seek(Math.round(((event.offsetX - 52) / (width - 64)) * last));
+    const { left, right } = stripMargin;
+    const [width] = this.sizeOf(strip);
+    this.events.seek(
+      Math.round(((event.offsetX - left) / (width - left - right)) * Math.max(1, this.shown.scene.last)),
+    );
   }
 
-  update(lanes: readonly Drawn[], state: State, clock: number, text: string): void {
-    this.shown = { lanes, state, clock, text };
-    this.layout.value = state.layout;
-    const isBeside = state.layout === "beside";
+  update(scene: Scene, view: View, clock: number, text: string): void {
+    this.shown = { scene, view, clock, text };
+    const { lanes } = scene;
+    this.layout.value = view.layout;
+    const isBeside = view.layout === "beside";
     this.frames.forEach((frame, i) => {
-      frame.hidden = i > 0 && !(isBeside && i < lanes.length);
-      const title = isBeside ? `Path of ${lanes[i]?.title ?? ""}` : "Paths of all methods";
+      const lane = isBeside ? lanes[i] : undefined;
+      if (frame.parentElement !== null) frame.parentElement.hidden = i > 0 && lane === undefined;
+      const title = isBeside ? `Path of ${lane?.title ?? ""}` : "Paths of all methods";
       frame.setAttribute("aria-label", `${title}: arrows move, + and − zoom, 0 shows all`);
+      const named = lane === undefined ? [] : [mark(lane.number), `${lane.title}: ${lane.detail}`.replace(/: $/, "")];
+      this.captions[i]?.replaceChildren(...named);
     });
-    this.frames[0]?.parentElement?.classList.toggle("beside", isBeside && lanes.length > 1);
+    this.frames[0]?.closest(".paths")?.classList.toggle("beside", isBeside && lanes.length > 1);
     if (this.draws === 0) this.draws = requestAnimationFrame(() => this.draw());
   }
 
   draw(): void {
     this.draws = 0;
     if (this.shown === undefined) return;
-    const { lanes, state, clock, text } = this.shown;
+    const { scene, view, clock, text } = this.shown;
     this.canvases.forEach((canvas, i) => {
-      if (canvas.parentElement?.hidden !== false) return;
-      const some = state.layout === "overlay" ? lanes : lanes.slice(i, i + 1);
-      const lane = state.layout === "overlay" ? undefined : lanes[i];
-      const title = lane === undefined ? "" : `${lane.number + 1}  ${lane.title}: ${lane.detail}`.replace(/: $/, "");
-      drawLanes(new CanvasPicture(canvas, ...this.sizeOf(canvas)), some, state.camera, clock, title);
-      canvas.setAttribute("aria-label", state.layout === "overlay" ? text : (lanes[i]?.title ?? ""));
+      if (canvas.closest<HTMLElement>(".path-cell")?.hidden !== false) return;
+      const lane = view.layout === "overlay" ? undefined : i;
+      scene.drawPaths(new CanvasPicture(canvas, ...this.sizeOf(canvas)), lane, view.camera, clock);
+      canvas.setAttribute("aria-label", lane === undefined ? text : (scene.lanes[i]?.title ?? ""));
     });
-    drawErrors(new CanvasPicture(this.errors, ...this.sizeOf(this.errors)), lanes, clock);
-    this.errors.setAttribute("aria-label", `Errors of all methods over the clock, which stands at ${clock}`);
+    this.strips.forEach((strip, i) => {
+      scene.drawStrip(i, new CanvasPicture(strip, ...this.sizeOf(strip)), clock);
+      strip.setAttribute("aria-label", `${this.told[i]?.label}, which stands at ${clock}`);
+    });
   }
 
   private sizeOf(canvas: HTMLCanvasElement): [number, number] {
@@ -178,20 +212,24 @@ export class Stage {
 
   svg(): string {
     const picture = new SvgPicture(800, 600, this.shown?.text ?? "");
-    if (this.shown !== undefined) drawLanes(picture, this.shown.lanes, this.shown.state.camera, this.shown.clock);
+    if (this.shown !== undefined)
+      this.shown.scene.drawPaths(picture, undefined, this.shown.view.camera, this.shown.clock);
     return picture.toString();
   }
 
-  /** The paths over one another, and their errors below. */
+  /** The paths over one another, and the strips below. */
   async png(): Promise<Blob> {
-    const all = html("canvas", { width: 1600, height: 1600 });
-    const [paths, errors] = [html("canvas"), html("canvas")];
+    const all = html("canvas", { width: 1600, height: 1200 + 400 * this.strips.length });
     if (this.shown !== undefined) {
-      const { lanes, state, clock } = this.shown;
-      drawLanes(new CanvasPicture(paths, 800, 600, 2), lanes, state.camera, clock);
-      drawErrors(new CanvasPicture(errors, 800, 200, 2), lanes, clock);
+      const { scene, view, clock } = this.shown;
+      const paths = html("canvas");
+      scene.drawPaths(new CanvasPicture(paths, 800, 600, 2), undefined, view.camera, clock);
       all.getContext("2d")?.drawImage(paths, 0, 0);
-      all.getContext("2d")?.drawImage(errors, 0, 1200);
+      this.strips.forEach((_, i) => {
+        const strip = html("canvas");
+        scene.drawStrip(i, new CanvasPicture(strip, 800, 200, 2), clock);
+        all.getContext("2d")?.drawImage(strip, 0, 1200 + 400 * i);
+      });
     }
     return await new Promise((resolve, reject) =>
       all.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png"),

@@ -3,6 +3,7 @@
 import type { Method } from "../engine/types";
 import { presets, withPreset, type Preset } from "../lesson/presets";
 import { fromLink as settingsOf, initial, toLink as linkOf, type Settings } from "../lesson/settings";
+import type { Camera, Layout } from "./scene";
 
 export const mostLanes = 4;
 
@@ -11,18 +12,11 @@ export const laneKeys = ["method", "bits", "capacity", "preload", "order", "tie"
 export type LaneKey = (typeof laneKeys)[number];
 export type Lane = Record<LaneKey, string>;
 
-/** What is seen: so many BLU across, around a place. */
-export interface Camera {
-  readonly x: number;
-  readonly y: number;
-  readonly across: number;
-}
-
 export interface State {
   /** The curve, the interval and the clock; its lane keys mean nothing. */
   curve: Settings;
   lanes: Lane[];
-  layout: "overlay" | "beside";
+  layout: Layout;
   /** Undefined: the whole curve. */
   camera: Camera | undefined;
 }
@@ -123,8 +117,7 @@ export function toLink(state: State): string {
   for (const lane of state.lanes) link.append("l", laneKeys.map((key) => lane[key]).join(","));
   link.set("layout", state.layout);
   const { camera } = state;
-  if (camera !== undefined)
-    link.set("at", [camera.x, camera.y, camera.across].map((each) => each.toPrecision(8)).join(","));
+  if (camera !== undefined) link.set("at", cameraText(camera));
   return `#${link.toString()}`;
 }
 
@@ -140,7 +133,11 @@ export function linkFromLesson(settings: Settings, methods: readonly Method[]): 
   return toLink({ curve: settings, lanes, layout: "overlay", camera: undefined });
 }
 
-function cameraOf(text: string | null): Camera | undefined {
+export function cameraText({ x, y, across }: Camera): string {
+  return [x, y, across].map((each) => each.toPrecision(8)).join(",");
+}
+
+export function cameraOf(text: string | null): Camera | undefined {
   const [x, y, across] = (text ?? "").split(",").map(Number);
   if (x === undefined || y === undefined || across === undefined) return undefined;
   return [x, y, across].every(Number.isFinite) && across > 0 ? { x, y, across } : undefined;

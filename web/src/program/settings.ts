@@ -171,7 +171,7 @@ export function commandOf(settings: Settings, machine: Limits): string {
 }
 
 /** The machine as a file of the command: as it was opened, with the limits that were changed. */
-export function machineFile({ machine, limits }: Settings): string {
+export function machineFile({ machine, limits }: Pick<Settings, "machine" | "limits">): string {
   if (machine === "") return millFile(limits);
   let axis = -1;
   const lines = machine.split("\n").map((line) => {
