@@ -160,9 +160,10 @@ test("T, V and gains are sliders", async () => {
   await page.click("#last");
   const soft = await rowsOf(page);
   assert.ok(Number(soft[2]["Greatest error"]) > 2 * Number(slow[2]["Greatest error"]));
-  await page.fill("#p-2", "90");
+  await page.fill("#kv-3", "1000");
   await loaded(page);
-  assert.match(await page.textContent("#loops-2-error"), /not stable/);
+  assert.match(await page.textContent("#loops-3-error"), /not stable/);
+  await page.fill("#kv-3", "10");
   await page.fill("#d-2", "x");
   await loaded(page);
   assert.match(await page.textContent("#d-2-error"), /“x” is none of 0 to 200 units\/mm/);

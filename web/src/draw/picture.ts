@@ -26,6 +26,8 @@ export interface Picture {
     style: Stroke | { readonly fill: string; readonly opacity?: number },
   ): void;
   rectangle(x: number, y: number, width: number, height: number, fill: string, opacity?: number): void;
+  /** A polygon: x, y, x, y …; `edge` in its own colour closes the seam to the next one. */
+  area(points: ArrayLike<number>, fill: string, opacity?: number, edge?: boolean): void;
   text(text: string, x: number, y: number, style: TextStyle): void;
 }
 
@@ -78,6 +80,19 @@ export class CanvasPicture implements Picture {
     this.to.fillStyle = fill;
     this.to.fillRect(x, y, width, height);
     this.to.globalAlpha = 1;
+  }
+
+  area(points: ArrayLike<number>, fill: string, opacity = 1, edge = false): void {
+    const { to } = this;
+    to.beginPath();
+    for (let i = 0; i + 1 < points.length; i += 2) to.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
+    to.closePath();
+    to.globalAlpha = opacity;
+    to.fillStyle = to.strokeStyle = fill;
+    to.lineWidth = 0.7;
+    to.fill();
+    if (edge) to.stroke();
+    to.globalAlpha = 1;
   }
 
   text(text: string, x: number, y: number, style: TextStyle): void {
@@ -137,6 +152,13 @@ export class SvgPicture implements Picture {
   rectangle(x: number, y: number, width: number, height: number, fill: string, opacity = 1): void {
     const size = `x="${short(x)}" y="${short(y)}" width="${short(width)}" height="${short(height)}"`;
     this.parts.push(`<rect ${size} fill="${fill}" opacity="${opacity}"/>`);
+  }
+
+  area(points: ArrayLike<number>, fill: string, opacity = 1, edge = false): void {
+    const at: string[] = [];
+    for (let i = 0; i + 1 < points.length; i += 2) at.push(`${short(points[i] ?? 0)},${short(points[i + 1] ?? 0)}`);
+    const seam = edge ? ` stroke="${fill}" stroke-width="0.7"` : "";
+    this.parts.push(`<polygon points="${at.join(" ")}" fill="${fill}" opacity="${opacity}"${seam}/>`);
   }
 
   text(text: string, x: number, y: number, style: TextStyle): void {

@@ -2,8 +2,8 @@
 
 import type { PathData } from "../engine/motion_types";
 import { colour } from "../ui/theme";
-import { dot, frameOf, projector, type Camera } from "./camera";
-import { outlineOf, type StandingTool } from "./tool_picture";
+import { projector, type Camera } from "./camera";
+import { silhouettesOf, type StandingTool } from "./tool_picture";
 
 export type { StandingTool } from "./tool_picture";
 
@@ -60,48 +60,22 @@ export class Overlay {
   }
 }
 
-/** Its outline as a body that turns about its axis. */
 function drawTool(
   to: CanvasRenderingContext2D,
   tool: StandingTool,
   camera: Camera,
   project: (at: readonly number[]) => [number, number],
 ): void {
-  const [right, up, out] = frameOf(camera);
-  const { direction } = tool;
-  const along = [dot(right, direction), -dot(up, direction)] as const; // of the axis on the screen, its y downwards
-  const length = Math.hypot(...along);
-  const across = length > 1e-6 ? ([-along[1] / length, along[0] / length] as const) : ([1, 0] as const);
-  const flat = Math.abs(dot(out, direction));
-  const [x, y] = project(tool.tip);
-  for (const ring of outlineOf(tool, camera.scale)) {
-    to.globalAlpha = 0.55;
-    to.fillStyle = colour(ring.isHolder ? "truth" : "y");
+  to.globalAlpha = 0.55;
+  for (const { isHolder, points } of silhouettesOf(tool, camera, project)) {
+    to.fillStyle = colour(isHolder ? "truth" : "y");
     to.beginPath();
-    for (const { height, radius } of ring.slices) {
-      const [cx, cy] = [x + along[0] * height * camera.scale, y + along[1] * height * camera.scale];
-      const reach = Math.max(radius * camera.scale, 0.5);
-      const turn = Math.atan2(across[1], across[0]);
-      to.moveTo(cx + reach * across[0], cy + reach * across[1]);
-      to.ellipse(cx, cy, reach, reach * flat, turn, 0, 2 * Math.PI);
-    }
-    for (let i = 1; i < ring.slices.length; ++i) {
-      const corner = (k: number, side: number): [number, number] => {
-        const { height, radius } = ring.slices[k] ?? { height: 0, radius: 0 };
-        const [h, r] = [height * camera.scale, side * radius * camera.scale];
-        return [x + along[0] * h + across[0] * r, y + along[1] * h + across[1] * r];
-      };
-      to.moveTo(...corner(i - 1, 1));
-      to.lineTo(...corner(i - 1, -1));
-      to.lineTo(...corner(i, -1));
-      to.lineTo(...corner(i, 1));
-      to.closePath();
-    }
-    to.fill("nonzero");
+    for (let i = 0; i < points.length; i += 2) to.lineTo(points[i] ?? 0, points[i + 1] ?? 0);
+    to.fill();
   }
   to.globalAlpha = 1;
   to.beginPath();
-  to.arc(x, y, 2.5, 0, 2 * Math.PI);
+  to.arc(...project(tool.tip), 2.5, 0, 2 * Math.PI);
   to.fillStyle = colour("ink");
   to.fill();
 }

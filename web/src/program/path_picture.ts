@@ -1,9 +1,10 @@
 // The path on a picture of two dimensions: as a file, and on the screen of a browser without WebGL.
 
 import type { Picture } from "../draw/picture";
-import type { PathData } from "../engine/motion_types";
+import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import { colour } from "../ui/theme";
-import { projector, type Camera } from "./camera";
+import { dot, frameOf, projector, type Camera } from "./camera";
+import { silhouettesOf, type StandingTool } from "./tool_picture";
 
 function hex(colours: Float32Array, v: number): string {
   const digits = [0, 1, 2].map((i) =>
@@ -20,10 +21,12 @@ export function drawPath(
   path: PathData,
   colours: Float32Array,
   camera: Camera,
-  tool: readonly number[] | undefined,
+  surfaces: readonly SurfaceMesh[],
+  tool: StandingTool | undefined,
 ): void {
   to.rectangle(0, 0, to.width, to.height, colour("paper"));
   const project = projector(camera, to.width, to.height);
+  drawSurfaces(to, surfaces, camera, project);
   const at = (v: number): [number, number] => project([...path.places.subarray(v * 3, v * 3 + 3)]);
   const nameOf = (v: number): string => (path.isRapid[v] === 1 ? "rapid" : hex(colours, v));
   let points: number[] = [];
@@ -48,5 +51,36 @@ export function drawPath(
     points.push(...at(v));
   }
   flush();
-  if (tool !== undefined) to.circle(...project(tool), 5, { fill: colour("warm") });
+  if (tool === undefined) return;
+  for (const { isHolder, points } of silhouettesOf(tool, camera, project))
+    to.area(points, colour(isHolder ? "truth" : "y"), 0.55);
+  to.circle(...project(tool.tip), 2.5, { fill: colour("ink") });
+}
+
+/** Quadrilaterals, the farther ones first, lit from where one looks. */
+function drawSurfaces(
+  to: Picture,
+  surfaces: readonly SurfaceMesh[],
+  camera: Camera,
+  project: (at: readonly number[]) => [number, number],
+): void {
+  const [, , out] = frameOf(camera);
+  const cells: { readonly depth: number; readonly points: number[]; readonly light: number }[] = [];
+  for (const { corners, normals } of surfaces)
+    for (let cell = 0; cell + 12 <= corners.length; cell += 12) {
+      const points: number[] = [];
+      let [depth, light] = [0, 0];
+      for (let corner = cell; corner < cell + 12; corner += 3) {
+        const at = [...corners.subarray(corner, corner + 3)];
+        points.push(...project(at));
+        depth += dot(out, at) / 4;
+        light += Math.abs(dot(out, [...normals.subarray(corner, corner + 3)])) / 4;
+      }
+      cells.push({ depth, points, light });
+    }
+  cells.sort((a, b) => a.depth - b.depth);
+  for (const { points, light } of cells) {
+    const grey = Math.round(110 + 95 * light);
+    to.area(points, `rgb(${grey},${grey},${Math.min(255, grey + 8)})`, 1, true);
+  }
 }

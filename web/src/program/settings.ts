@@ -2,6 +2,7 @@
 
 import { axisLetters, type Diagnostic, type Limits } from "../engine/motion_types";
 import { exampleOf, examples } from "./examples";
+import { loopsOf, textOf as textOfLoops, type LoopSettings } from "./loops";
 
 export const colourings = ["speed", "acceleration", "jerk", "limit", "part", "line"] as const;
 export type Colouring = (typeof colourings)[number];
@@ -21,6 +22,8 @@ export interface Settings {
   colouring: Colouring;
   /** Where the cursor is, s. */
   time: number;
+  /** That follow; none: only words are looked at. */
+  loops: LoopSettings | undefined;
 }
 
 /** What a page begins with, where no link says otherwise: the file name is its own. */
@@ -95,6 +98,7 @@ export async function toLink(settings: Settings, machine: Limits, origin?: Origi
     if (settings.limits[name].join() !== machine[name].join()) link.set(short, settings.limits[name].join("_"));
   if (settings.limits.tolerance !== machine.tolerance) link.set("tol", String(settings.limits.tolerance));
   if (settings.override !== 100) link.set("o", String(settings.override));
+  if (settings.loops !== undefined) link.set("loops", textOfLoops(settings.loops));
   link.set("c", settings.colouring);
   link.set("t", settings.time.toFixed(3));
   return `#${link.toString()}`;
@@ -126,6 +130,7 @@ export async function fromLink(
     override: 100,
     colouring: "speed",
     time: 0,
+    loops: loopsOf(link.get("loops") ?? ""),
   };
   if (settings.text !== begin.text) settings.name = link.get("name") ?? "program.ngc";
   const machine = await limitsOrMill(settings, limitsOf);

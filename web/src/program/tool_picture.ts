@@ -1,6 +1,7 @@
 // A tool as a body about its axis: cutter with its round edge, and holder.
 
 import type { ToolShape } from "../engine/motion_types";
+import { dot, frameOf, type Camera } from "./camera";
 
 export interface StandingTool {
   readonly tip: readonly number[];
@@ -53,4 +54,51 @@ export function outlineOf({ shape }: StandingTool, scale: number): Body[] {
     bodies.push({ isHolder: true, slices: walls });
   }
   return bodies;
+}
+
+const ringPlaces = 32;
+
+/** What bodies cover of the picture, whose pixels `project` gives: each is convex, and so is what is seen of it. */
+export function silhouettesOf(
+  tool: StandingTool,
+  camera: Camera,
+  project: (at: readonly number[]) => [number, number],
+): { readonly isHolder: boolean; readonly points: number[] }[] {
+  const [right, up, out] = frameOf(camera);
+  const { direction } = tool;
+  const along = [dot(right, direction), -dot(up, direction)] as const; // of the axis on the screen, its y downwards
+  const length = Math.hypot(...along);
+  const across = length > 1e-6 ? ([-along[1] / length, along[0] / length] as const) : ([1, 0] as const);
+  const flat = Math.abs(dot(out, direction));
+  const [x, y] = project(tool.tip);
+  return outlineOf(tool, camera.scale).map(({ isHolder, slices }) => {
+    const places: [number, number][] = [];
+    for (const { height, radius } of slices) {
+      const [cx, cy] = [x + along[0] * height * camera.scale, y + along[1] * height * camera.scale];
+      const reach = Math.max(radius * camera.scale, 0.5);
+      for (let i = 0; i < ringPlaces; ++i) {
+        const angle = (2 * Math.PI * i) / ringPlaces;
+        const [wide, high] = [reach * Math.cos(angle), reach * flat * Math.sin(angle)];
+        places.push([cx + wide * across[0] - high * across[1], cy + wide * across[1] + high * across[0]]);
+      }
+    }
+    return { isHolder, points: hullOf(places).flat() };
+  });
+}
+
+/** The convex hull, by Andrew's monotone chain. */
+function hullOf(places: [number, number][]): [number, number][] {
+  places.sort((a, b) => a[0] - b[0] || a[1] - b[1]);
+  const half = (some: readonly [number, number][]): [number, number][] => {
+    const hull: [number, number][] = [];
+    for (const [x, y] of some) {
+      for (; hull.length > 1; hull.pop()) {
+        const [[ax, ay], [bx, by]] = hull.slice(-2) as [[number, number], [number, number]];
+        if ((bx - ax) * (y - ay) - (by - ay) * (x - ax) > 0) break;
+      }
+      hull.push([x, y]);
+    }
+    return hull.slice(0, -1);
+  };
+  return [...half(places), ...half([...places].reverse())];
 }

@@ -118,13 +118,13 @@ export class PathView {
 
   svgText(): string {
     const picture = new SvgPicture(this.element.clientWidth, this.element.clientHeight, "Path of the tool");
-    this.drawOn(picture, this.tool?.tip);
+    this.drawOn(picture, this.tool);
     return picture.toString();
   }
 
   async pngBlob(): Promise<Blob> {
     const canvas = document.createElement("canvas");
-    this.drawOn(new CanvasPicture(canvas, this.element.clientWidth, this.element.clientHeight), this.tool?.tip);
+    this.drawOn(new CanvasPicture(canvas, this.element.clientWidth, this.element.clientHeight), this.tool);
     return await new Promise((resolve, reject) =>
       canvas.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png"),
     );
@@ -137,9 +137,10 @@ export class PathView {
     return { colouring: this.colouring, range, isDark };
   }
 
-  private drawOn(picture: Picture, tool: readonly number[] | undefined): void {
+  private drawOn(picture: Picture, tool: StandingTool | undefined): void {
     if (this.plan === undefined) return;
-    drawPath(picture, this.plan.path, coloursOf(this.plan.path, this.lookOf(this.plan)), this.camera, tool);
+    const { path, surfaces } = this.plan;
+    drawPath(picture, path, coloursOf(path, this.lookOf(this.plan)), this.camera, surfaces, tool);
   }
 
   /** The path, and what moves over it. */

@@ -14,6 +14,7 @@ import { FiguresPanel, LossTable } from "./figures";
 import { GougePanel } from "./gouge_panel";
 import { JudgedPanel } from "./judged";
 import { LivePanel, type LiveTexts } from "./live_panel";
+import { LoopPanel } from "./loop_panel";
 import { MachineForm } from "./machine_form";
 import { Playback } from "./playback";
 import { Plots } from "./plots";
@@ -47,6 +48,17 @@ export class Workbench implements Mode {
     look: () => this.lookForGouges(),
     found: (gouges) => this.path.view.markGouges(gouges),
     chosen: (sample) => this.pick(sample),
+  });
+  private readonly loops = new LoopPanel({
+    follow: async (options) => {
+      const slides = await unlessCancelled(this.planner.slides(this.task, options));
+      this.progress.rest("");
+      return slides;
+    },
+    changed: () => {
+      this.settings.loops = this.loops.asked;
+      this.keepLink();
+    },
   });
   private readonly progress = new Progress(() => this.cancel());
   /** Where a machine is driven. */
@@ -112,6 +124,7 @@ export class Workbench implements Mode {
         html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
         this.judged?.element,
         this.losses.element,
+        this.loops.element,
         this.gouges.element,
         this.exportsPanel(),
       ),
@@ -127,6 +140,7 @@ export class Workbench implements Mode {
     this.path.view.repaint();
     this.path.showLegend(this.plan);
     this.plots.redraw();
+    this.loops.redraw();
     this.mark();
   }
 
@@ -360,6 +374,7 @@ export class Workbench implements Mode {
       () => this.figures.load(plan),
       () => this.losses.load(plan),
       () => this.gouges.load(plan),
+      () => this.loops.load(plan),
       ...this.plots.load(plan),
     ];
     for (const panel of panels) {
@@ -373,6 +388,7 @@ export class Workbench implements Mode {
     this.isNewText = false;
     this.playback.load(plan.figures.time, plan.period, this.settings.time);
     this.tell("ready");
+    this.loops.planned();
   }
 
   private tell(state: string): void {
@@ -383,6 +399,7 @@ export class Workbench implements Mode {
   private showSettings(): void {
     this.machineForm.show(this.machine, this.settings);
     this.path.show(this.settings.colouring);
+    this.loops.restore(this.settings.loops);
     this.program.show(this.settings);
     this.showCommand();
   }
@@ -416,6 +433,7 @@ export class Workbench implements Mode {
     this.sample = sampleAt(plan, time);
     this.path.view.stand(this.sample);
     this.plots.stand(time);
+    this.loops.stand(time);
     this.figures.stand(plan, this.sample);
     this.mark();
     this.keepLink();

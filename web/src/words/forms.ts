@@ -3,7 +3,8 @@
 import { Fields } from "../compare/fields";
 import { mark } from "../compare/lane_forms";
 import { mostLanes } from "../compare/state";
-import { quantity, type FieldErrors } from "../lesson/settings";
+import { Slid } from "../compare/slid";
+import type { FieldErrors } from "../lesson/settings";
 import { html } from "../ui/dom";
 import { curveKinds, type CurveKind } from "./curves";
 import {
@@ -72,73 +73,27 @@ const laneLabels: Readonly<Record<LaneNumber, string>> = {
   forward: "Fed forward, 0 to 1",
 };
 
-const sliderSteps = 400;
-
-/** Sliders are even in the logarithm; those that begin at 0 in the square root. */
-export function valueAt(key: CurveNumber | LaneNumber, step: number): number {
-  const [least, most] = rangeOf(key);
-  const share = step / sliderSteps;
-  const value = least > 0 ? least * (most / least) ** share : most * share * share;
-  return Number(value.toPrecision(3));
-}
-export function stepAt(key: CurveNumber | LaneNumber, value: number): number {
-  const [least, most] = rangeOf(key);
-  const share = least > 0 ? Math.log(value / least) / Math.log(most / least) : Math.sqrt(value / most);
-  return Math.round(share * sliderSteps);
-}
-
-/** A number as text and as a slider. */
-class Slid {
-  readonly element: HTMLElement;
-  private readonly slider: HTMLInputElement;
-
-  constructor(
-    private readonly fields: Fields,
-    readonly key: CurveNumber | LaneNumber,
-    private readonly id: string,
-    label: string,
-    change: (text: string) => void,
-    name = label,
-  ) {
-    this.slider = html("input", {
-      id: `${id}-slider`,
-      type: "range",
-      min: 0,
-      max: sliderSteps,
-      step: 1,
-      "aria-label": name,
-      input: () => change(String(valueAt(key, Number(this.slider.value)))),
-    });
-    this.element = html("div", { class: "feed" }, fields.text(id, label, change, name), this.slider);
-  }
-
-  show(text: string, isShown: boolean, otherwise: string, error = ""): void {
-    this.fields.show(this.id, text, isShown, error);
-    this.element.hidden = !isShown;
-    const value = quantity(text.trim() === "" ? otherwise : text);
-    const [least, most] = rangeOf(this.key);
-    if (value >= least && value <= most) {
-      this.slider.value = String(stepAt(this.key, value));
-      this.slider.setAttribute("aria-valuetext", String(value));
-    }
-  }
+interface Keyed<Key> {
+  readonly key: Key;
+  readonly slid: Slid;
 }
 
 export class WordForms {
   readonly curve: HTMLElement;
   readonly lanes: HTMLElement;
   private readonly fields = new Fields();
-  private readonly numbers: Slid[];
-  private readonly groups: { readonly element: HTMLElement; readonly numbers: readonly Slid[] }[] = [];
+  private readonly numbers: Keyed<CurveNumber>[];
+  private readonly groups: { readonly element: HTMLElement; readonly numbers: readonly Keyed<LaneNumber>[] }[] = [];
   private readonly removes: HTMLButtonElement[] = [];
   private readonly add = html("button", { type: "button", id: "add-lane", click: () => this.append() }, "Add a lane");
   private state: State | undefined;
 
   constructor(private readonly events: FormEvents) {
     const { fields } = this;
-    this.numbers = (["a", "b", "feed", "period", "acceleration", "jerk", "tolerance"] as const).map(
-      (key) => new Slid(fields, key, key, curveLabels[key], (text) => events.change({ [key]: text })),
-    );
+    this.numbers = (["a", "b", "feed", "period", "acceleration", "jerk", "tolerance"] as const).map((key) => ({
+      key,
+      slid: new Slid(fields, key, curveLabels[key], rangeOf(key), (text) => events.change({ [key]: text })),
+    }));
     const ready: (readonly [string, string])[] = [
       ["", "Choose a comparison"],
       ...comparisons.map(({ id, title }) => [id, title] as const),
@@ -157,7 +112,7 @@ export class WordForms {
         curveKinds.map((kind) => [kind, curveTitles[kind]] as const),
         (kind) => events.change({ curve: kind as CurveKind, camera: undefined }),
       ),
-      ...this.numbers.map(({ element }) => element),
+      ...this.numbers.map(({ slid }) => slid.element),
       fields.select(
         "magnified",
         "Errors drawn",
@@ -190,17 +145,14 @@ export class WordForms {
       options: readonly (readonly [string, string])[],
     ): HTMLElement =>
       this.fields.select(`${key}-${number + 1}`, label, options, (value) => this.set(number, key, value), name(label));
-    const numbers = laneNumbers.map(
-      (key) =>
-        new Slid(
-          this.fields,
-          key,
-          `${key}-${number + 1}`,
-          laneLabels[key],
-          (text) => this.set(number, key, text),
-          name(laneLabels[key]),
-        ),
-    );
+    const numbers = laneNumbers.map((key) => {
+      const change = (text: string): void => this.set(number, key, text);
+      const label = laneLabels[key];
+      return {
+        key,
+        slid: new Slid(this.fields, `${key}-${number + 1}`, label, rangeOf(key), change, name(label)),
+      };
+    });
     const element = html(
       "fieldset",
       { class: "lane" },
@@ -221,7 +173,7 @@ export class WordForms {
         "Followed by",
         loopKinds.map((each) => [each, loopTitles[each]] as const),
       ),
-      ...numbers.map((each) => each.element),
+      ...numbers.map(({ slid }) => slid.element),
     );
     this.groups.push({ element, numbers });
   }
@@ -245,15 +197,14 @@ export class WordForms {
     this.fields.show("comparison", chosen?.id ?? "", true);
     this.fields.show("curve", state.curve, true);
     this.fields.show("magnified", String(state.magnified), true);
-    for (const each of this.numbers) {
-      const key = each.key as CurveNumber;
+    for (const { key, slid } of this.numbers) {
       const isShown =
         key === "a"
           ? state.curve !== "cubic"
           : key === "b"
             ? state.curve !== "cubic" && state.curve !== "circle"
             : key !== "tolerance" || state.lanes.some(({ method }) => method === "blend");
-      each.show(state[key], isShown, "", curve.get(key));
+      slid.show(state[key], isShown, "", curve.get(key));
     }
     this.groups.forEach(({ element, numbers }, number) => {
       const lane = state.lanes[number];
@@ -263,9 +214,8 @@ export class WordForms {
       const uses = usesOf(lane, state);
       this.fields.show(`method-${number + 1}`, lane.method, true, errors?.get("method"));
       this.fields.show(`loops-${number + 1}`, lane.loops, true, errors?.get("loops"));
-      for (const each of numbers) {
-        const key = each.key as LaneNumber;
-        each.show(lane[key], uses[key], state.period, errors?.get(key));
+      for (const { key, slid } of numbers) {
+        slid.show(lane[key], uses[key], state.period, errors?.get(key));
       }
     });
     for (const remove of this.removes) remove.disabled = state.lanes.length === 1;
