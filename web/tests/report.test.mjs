@@ -123,7 +123,11 @@ test("five axes, a surface and its tool; pictures", async () => {
     for (const width of [1280, 390]) {
       await page.setViewportSize({ width, height: 900 });
       await page.waitForTimeout(300);
-      await page.screenshot({ path: join(pictures, `report-${colorScheme}-${width}.png`), fullPage: width === 1280 });
+      await page.screenshot({
+        path: join(pictures, `report-${colorScheme}-${width}.png`),
+        fullPage: width === 1280,
+        timeout: 120_000,
+      });
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       );
