@@ -100,7 +100,7 @@ TEST(Layout, OfStates) {
 }
 
 TEST(Layout, OfPulseTasks) {
-  EXPECT_EQ(sizeof(leadscrew_pulse_task), 136U);
+  EXPECT_EQ(sizeof(leadscrew_pulse_task), 144U);
   EXPECT_EQ(offsetof(leadscrew_pulse_task, kind), 8U);
   EXPECT_EQ(offsetof(leadscrew_pulse_task, turns), 12U);
   EXPECT_EQ(offsetof(leadscrew_pulse_task, bits), 16U);
@@ -114,10 +114,12 @@ TEST(Layout, OfPulseTasks) {
   EXPECT_EQ(offsetof(leadscrew_pulse_task, tie), 104U);
   EXPECT_EQ(offsetof(leadscrew_pulse_task, semi_axes), 112U);
   EXPECT_EQ(offsetof(leadscrew_pulse_task, is_free), 128U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, places), 132U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_task, accumulation), 136U);  // the second version's end
 }
 
 TEST(Layout, OfPulseConventions) {
-  EXPECT_EQ(sizeof(leadscrew_pulse_conventions), 144U);
+  EXPECT_EQ(sizeof(leadscrew_pulse_conventions), 176U);
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, bits), 8U);
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, capacity), 16U);
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, clocks_per_blu), 24U);
@@ -126,6 +128,8 @@ TEST(Layout, OfPulseConventions) {
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, tie), 80U);
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, end), 104U);
   EXPECT_EQ(offsetof(leadscrew_pulse_conventions, scale), 136U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, places), 144U);
+  EXPECT_EQ(offsetof(leadscrew_pulse_conventions, accumulation), 152U);
 }
 
 TEST(Layout, OfPulseFigures) {

@@ -125,7 +125,10 @@ TEST(CapiPulses, ListMethodsAndWhatTheyHave) {
   EXPECT_EQ(leadscrew_pulse_name(LEADSCREW_ORDERS, 4), nullptr);
   EXPECT_EQ(leadscrew_pulse_name(9, 0), nullptr);
   EXPECT_EQ(leadscrew_pulse_uses("koren"), 1 << LEADSCREW_PRELOADS | 1 << LEADSCREW_ORDERS | 1 << LEADSCREW_CAPACITY |
-                                               1 << LEADSCREW_ELLIPSES | 1 << LEADSCREW_FREE);
+                                               1 << LEADSCREW_ELLIPSES | 1 << LEADSCREW_FREE |
+                                               1 << LEADSCREW_ACCUMULATIONS | 1 << LEADSCREW_PLACES);
+  EXPECT_STREQ(leadscrew_pulse_name(LEADSCREW_ACCUMULATIONS, 2), "symmetric");
+  EXPECT_EQ(leadscrew_pulse_name(LEADSCREW_PLACES, 0), nullptr);
   EXPECT_EQ(leadscrew_pulse_uses("point-comparison"), 1 << LEADSCREW_TIES);
   EXPECT_EQ(leadscrew_pulse_uses("none"), 0);
 }
@@ -174,6 +177,32 @@ TEST(CapiPulses, RunFreelyWhereTheyAreAskedTo) {
   ASSERT_EQ(leadscrew_pulses_next(pulses.get(), nullptr, 100'000, &count, nullptr), LEADSCREW_OK);
   EXPECT_EQ(count, 31'415U);
   EXPECT_EQ(figures_of(pulses).position[0], -10'001);
+}
+
+TEST(CapiPulses, TakeAccumulationsAndPlaces) {
+  leadscrew_pulse_task task = task_of(LEADSCREW_ARC, "koren");
+  task.start[0] = 50;
+  task.end[0] = -50;
+  task.is_free = 1;
+  task.accumulation = "floor";
+  const Pulses pulses = loaded(task);
+  leadscrew_pulse_conventions found{};
+  found.size = sizeof found;
+  ASSERT_EQ(leadscrew_pulses_conventions(pulses.get(), &found, nullptr), LEADSCREW_OK);
+  EXPECT_STREQ(found.accumulation, "floor");
+  std::size_t count = 0;
+  ASSERT_EQ(leadscrew_pulses_next(pulses.get(), nullptr, 2, &count, nullptr), LEADSCREW_OK);
+  std::string why(200, ' ');
+  why.resize(leadscrew_pulses_why(pulses.get(), why.data(), why.size()));
+  EXPECT_NE(why.find("borrow, X −1"), std::string::npos) << why;
+  task.is_free = 0;
+  task.accumulation = nullptr;
+  task.places = 8;
+  const Pulses with_places = loaded(task);
+  ASSERT_EQ(leadscrew_pulses_conventions(with_places.get(), &found, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(found.places, 8);
+  EXPECT_EQ(found.capacity, 50 * 256);
+  EXPECT_DOUBLE_EQ(found.clocks_per_blu, 1);
 }
 
 /// One that was compiled before there were ellipses says nothing of them.
@@ -251,6 +280,9 @@ TEST(CapiPulses, TellMisuse) {
   EXPECT_EQ(code_of([](auto& task) { task.method = nullptr; }), LEADSCREW_MISUSE);
   EXPECT_EQ(code_of([](auto& task) { task.preload = "some"; }), LEADSCREW_MISUSE);
   EXPECT_EQ(code_of([](auto& task) { task.tie = "inward"; }), LEADSCREW_MISUSE);
+  EXPECT_EQ(code_of([](auto& task) { task.accumulation = "floor"; }), LEADSCREW_MISUSE);
+  EXPECT_EQ(code_of([](auto& task) { task.places = 4; }), LEADSCREW_MISUSE);  // beside bits
+  EXPECT_EQ(code_of([](auto& task) { task.places = 17; }), LEADSCREW_MISUSE);
   EXPECT_EQ(code_of([](auto& task) {
               task.method = "min-error";
               task.preload = nullptr;

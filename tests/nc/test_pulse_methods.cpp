@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <leadscrew/nc/pulse_figures.hpp>
+#include <leadscrew/nc/pulse_reason.hpp>
 #include <leadscrew/pulse/free_circle.hpp>
 #include <numbers>
 #include <set>
@@ -103,6 +104,55 @@ TEST(PulseMethods, DrawAnArcInRegistersOfAnyCapacity) {
   }
 }
 
+/// However remainders take negative integrands, the free arc goes where the bare generator does; and each sum and each
+/// overflow or borrow that is told leads to its pulse.
+TEST(PulseMethods, RunFreelyByEveryAccumulation) {
+  using pulse::Accumulation, pulse::Order;
+  constexpr std::int64_t r = 50;
+  const PulseCurve turn{arc, {r, 0}, {r, 0}, {}, Direction::counterclockwise};
+  for (const auto accumulation : all_accumulations) {
+    for (const auto order : {Order::parallel, Order::x_first}) {
+      for (const auto preload : {pulse::Preload::none, pulse::Preload::half}) {
+        MethodOptions options{.preload = preload, .tie = {}, .order = order, .free = true};
+        options.accumulation = accumulation;
+        ASSERT_EQ(conflict_of(options, turn), "");
+        PulseRun run(PulseMethod::koren, turn, options);
+        EXPECT_EQ(run.conventions().accumulation, accumulation);
+        pulse::FreeCircle bare({r, 0}, r, preload == pulse::Preload::half ? r / 2 : 0, order, accumulation);
+        while (!run.done()) {
+          const std::vector<Addition> made = next_additions(run);
+          const auto step = run.step().step;
+          EXPECT_EQ(made[0].overflows(), step[0] != 0);
+          EXPECT_EQ(made[1].overflows(), step[1] != 0);
+          bare.step();
+          ASSERT_EQ(run.at(), bare.at()) << name(accumulation) << " " << name(order) << " " << run.clock();
+        }
+      }
+    }
+  }
+}
+
+/// With places of the radius in the capacity an irrational radius keeps the feed: a turn takes 2πR of so many places.
+TEST(PulseMethods, KeepPlacesOfTheRadius) {
+  const PulseCurve quarter_of_50{arc, {5, 5}, {-5, 5}, {}, Direction::counterclockwise};
+  MethodOptions options{};
+  options.places = 8;
+  ASSERT_EQ(conflict_of(options, quarter_of_50), "");
+  PulseRun run(PulseMethod::dda, quarter_of_50, options);
+  EXPECT_EQ(run.conventions().capacity, 1810);  // √50 · 2⁸
+  EXPECT_NEAR(*clocks_per_blu(PulseMethod::dda, quarter_of_50, run.conventions()), 1, 1e-3);
+  while (!run.done()) run.step();
+  EXPECT_EQ(run.at(), (Point{-5, 5}));
+  options.capacity = 10;
+  EXPECT_NE(conflict_of(options, quarter_of_50), "");
+  options = {};
+  options.accumulation = pulse::Accumulation::floor;
+  EXPECT_NE(conflict_of(options, quarter_of_50), "");
+  options.free = true;
+  options.preload = pulse::Preload::minus_one;
+  EXPECT_NE(conflict_of(options, quarter_of_50), "");
+}
+
 TEST(PulseMethods, SayWhichConventionsAreInForce) {
   const auto of_arc = [](PulseMethod method) { return conventions_of(method, quarter, {}); };
   EXPECT_EQ(of_arc(PulseMethod::dda).capacity, 5);
@@ -122,7 +172,9 @@ TEST(PulseMethods, HaveNamesOfTheirOwn) {
   for (const pulse::Preload preload : all_preloads) names.insert(name(preload));
   for (const pulse::Order order : all_orders) names.insert(name(order));
   for (const pulse::OnCircle tie : all_ties) names.insert(name(tie));
-  EXPECT_EQ(names.size(), all_pulse_methods.size() + all_preloads.size() + all_orders.size() + all_ties.size());
+  for (const pulse::Accumulation each : all_accumulations) names.insert(name(each));
+  EXPECT_EQ(names.size(), all_pulse_methods.size() + all_preloads.size() + all_orders.size() + all_ties.size() +
+                              all_accumulations.size());
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -10,7 +10,7 @@ static_assert(offsetof(leadscrew_error, message) == 80);
 static_assert(offsetof(leadscrew_error, hint) == 592);
 static_assert(offsetof(leadscrew_error, field) == 1104);
 
-static_assert(sizeof(leadscrew_pulse_task) == 120);
+static_assert(sizeof(leadscrew_pulse_task) == 128);
 static_assert(offsetof(leadscrew_pulse_task, kind) == 4);
 static_assert(offsetof(leadscrew_pulse_task, turns) == 8);
 static_assert(offsetof(leadscrew_pulse_task, bits) == 12);
@@ -24,8 +24,10 @@ static_assert(offsetof(leadscrew_pulse_task, order) == 88);
 static_assert(offsetof(leadscrew_pulse_task, tie) == 92);
 static_assert(offsetof(leadscrew_pulse_task, semi_axes) == 96);
 static_assert(offsetof(leadscrew_pulse_task, is_free) == 112);
+static_assert(offsetof(leadscrew_pulse_task, places) == 116);
+static_assert(offsetof(leadscrew_pulse_task, accumulation) == 120);
 
-static_assert(sizeof(leadscrew_pulse_conventions) == 144);
+static_assert(sizeof(leadscrew_pulse_conventions) == 176);
 static_assert(offsetof(leadscrew_pulse_conventions, bits) == 4);
 static_assert(offsetof(leadscrew_pulse_conventions, capacity) == 16);
 static_assert(offsetof(leadscrew_pulse_conventions, clocks_per_blu) == 24);
@@ -34,6 +36,8 @@ static_assert(offsetof(leadscrew_pulse_conventions, order) == 56);
 static_assert(offsetof(leadscrew_pulse_conventions, tie) == 80);
 static_assert(offsetof(leadscrew_pulse_conventions, end) == 104);
 static_assert(offsetof(leadscrew_pulse_conventions, scale) == 136);
+static_assert(offsetof(leadscrew_pulse_conventions, places) == 144);
+static_assert(offsetof(leadscrew_pulse_conventions, accumulation) == 152);
 
 static_assert(sizeof(leadscrew_pulse_figures) == 96);
 static_assert(offsetof(leadscrew_pulse_figures, clocks) == 8);

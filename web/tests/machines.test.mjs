@@ -68,6 +68,8 @@ for (const [name, axes, files] of [
     const shown = rowsOf(await downloaded(page, "export-csv"));
     assert.deepEqual(shown.columns.slice(4), [...axes]);
     assertSame(shown, wordsOf(exampleText(name), files, shown.columns));
+    const areas = (await downloaded(page, "export-svg")).match(/<polygon /g)?.length ?? 0;
+    assert.ok(name === "16-patch" ? areas > 50 : areas >= 1, `${areas} areas of surfaces and tool`);
     const command = await page.textContent("#command");
     for (const option of ["--machine", "--tools"]) assert.equal(command.includes(option), option in files, command);
     assert.deepEqual(await page.$$eval(".limits th[scope=row]", (all) => all.map((each) => each.textContent[0])), [

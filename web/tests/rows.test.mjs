@@ -63,6 +63,40 @@ for (const [preset, curve, clocks, pulses, error] of references) {
   });
 }
 
+test("places and accumulations: each row of the table is the command's", async () => {
+  const { page } = lesson;
+  await choose(page, "circle-10");
+  await page.fill("#bits", "");
+  for (const [fill, ending] of [
+    [{ places: "6" }, "counters"],
+    [{ accumulation: "floor" }, "free"],
+    [{ accumulation: "symmetric" }, "free"],
+  ]) {
+    await page.selectOption("#ending", ending);
+    for (const [id, value] of Object.entries(fill))
+      if (id === "places") await page.fill("#places", value);
+      else await page.selectOption(`#${id}`, value);
+    await settled(page);
+    await click(page, "last");
+    const words = await commandOf(page);
+    for (const [id, value] of Object.entries(fill)) assert.equal(words[words.indexOf(`--${id}`) + 1], value);
+    const expected = nativeTable(words);
+    const shown = await tableOf(page);
+    const places = expected.columns.map((name) => shown.columns.indexOf(name));
+    assert.deepEqual(
+      shown.rows.map((row) => places.map((place) => row[place])),
+      expected.rows,
+    );
+    await page.click("#back");
+    await settled(page);
+    assert.match(await page.textContent("#why"), /J[xy] /);
+  }
+  await page.fill("#bits", "4");
+  await page.selectOption("#ending", "counters");
+  await settled(page);
+  assert.match(await page.textContent("#places-error"), /leave bits and capacity empty/);
+});
+
 test("an ellipse: each row of the table is the command's", async () => {
   const { page } = lesson;
   for (const preset of ["ellipse", "ellipse-hardware"]) {
@@ -83,19 +117,48 @@ test("an ellipse: each row of the table is the command's", async () => {
   }
 });
 
+/** All that is told at the end of what is set, `set` among it: asked for at once, since there are many of them. */
+async function toldAtEnd(page, set) {
+  return await page.evaluate(async (values) => {
+    const lesson = document.querySelector(".lesson");
+    const isSettled = () =>
+      lesson.dataset.loading === lesson.dataset.loaded &&
+      (lesson.dataset.state === "empty" || lesson.dataset.told === lesson.dataset.clock);
+    const settle = async () => {
+      do await new Promise((resume) => setTimeout(resume));
+      while (!isSettled());
+    };
+    for (const [id, value] of Object.entries(values)) {
+      const select = document.querySelector(`#${id}`);
+      select.value = value;
+      select.dispatchEvent(new Event("change"));
+    }
+    await settle();
+    document.querySelector("#last").click();
+    await settle();
+    const text = (selector) => document.querySelector(selector).textContent;
+    const numbers = [...document.querySelectorAll(".numbers > div")].map((each) => [
+      each.dataset.name,
+      each.querySelector("dd").textContent.replace("−", "-"),
+    ]);
+    return { numbers: Object.fromEntries(numbers), command: text("#command"), inForce: text("#in-force") };
+  }, set);
+}
+
 /** Figures at the end of what is set, beside those of the page's own command. */
-async function expectFigures(page, what) {
-  await click(page, "last");
-  const args = (await commandOf(page)).map((word) => (word === "--table" ? "--json" : word));
+async function expectFigures(page, what, set = {}) {
+  const { numbers, command, inForce } = await toldAtEnd(page, set);
+  const args = command
+    .split(" ")
+    .slice(1)
+    .map((word) => (word === "--table" ? "--json" : word));
   const [expected] = JSON.parse(native(args)).methods;
-  const numbers = await numbersOf(page);
   assert.equal(numbers.Cycle, String(expected.clocks), what);
   assert.equal(numbers.Pulses, String(expected.pulses), what);
   assert.equal(numbers.Greatest, expected.max_error_blu.toFixed(3), what);
   assert.equal(numbers.RMS, expected.rms_error_blu.toFixed(3), what);
   assert.deepEqual([numbers.X, numbers.Y], expected.end.map(String), what);
-  const inForce = await page.textContent("#in-force");
-  for (const key of ["preload", "order", "tie", "end_rule"])
+  for (const key of ["preload", "order", "tie", "accumulation", "end_rule"])
     if (expected.options[key] !== undefined)
       assert.ok(inForce.includes(expected.options[key]), `${what}: ${key} of ${inForce}`);
   return numbers;
@@ -165,16 +228,11 @@ test("every method and option has the command's figures", async () => {
     await page.fill("#bits", "");
     await page.selectOption("#preload", "");
     for (const method of preset === "ellipse" ? ["dda", "koren"] : await valuesOf("method")) {
-      await page.selectOption("#method", method);
-      await settled(page);
-      await expectFigures(page, `${preset} ${method}`);
+      await expectFigures(page, `${preset} ${method}`, { method });
       for (const option of ["preload", "order", "tie", "ending"]) {
         if (!(await page.isVisible(`#${option}`))) continue;
-        for (const value of await valuesOf(option)) {
-          await page.selectOption(`#${option}`, value);
-          await settled(page);
-          await expectFigures(page, `${preset} ${method} ${option} ${value}`);
-        }
+        for (const value of await valuesOf(option))
+          await expectFigures(page, `${preset} ${method} ${option} ${value}`, { [option]: value });
         await page.selectOption(`#${option}`, option === "ending" ? "counters" : "");
       }
     }

@@ -378,7 +378,11 @@ typedef struct leadscrew_pulse_task {
   /* Here the task of the first version ended. */
   int64_t semi_axes[2]; /**< of an arc of an ellipse, along X and Y; both 0: the arc is one of a circle */
   int32_t is_free;      /**< not 0, of integrators of arcs of circles: no counters, as many clocks as the angle takes */
-  int32_t also_reserved; /**< 0 */
+  int32_t
+      places; /**< of integrators of arcs of circles with counters: binary places of the radius in the capacity, 1 ... 16; 0: none */
+  /* Here the task of the second version ended. */
+  const char*
+      accumulation; /**< of arcs that run freely: how remainders take negative integrands; NULL: sign-magnitude */
 } leadscrew_pulse_task;
 
 /** Names that leadscrew_pulse_name() lists, and options that methods have, as bits of leadscrew_pulse_uses(). */
@@ -389,7 +393,9 @@ enum {
   LEADSCREW_TIES = 3,
   LEADSCREW_CAPACITY = 4,
   LEADSCREW_ELLIPSES = 5,
-  LEADSCREW_FREE = 6
+  LEADSCREW_FREE = 6,
+  LEADSCREW_ACCUMULATIONS = 7,
+  LEADSCREW_PLACES = 8
 };
 
 /** What is in force, with what a method has by default; empty or 0 where it has no such choice. */
@@ -407,6 +413,10 @@ typedef struct leadscrew_pulse_conventions {
   /* Here the conventions of the first version ended. */
   int64_t
       scale; /**< of an ellipse: what integrands and capacity are taken times in the registers, so that they are whole */
+  /* Here the conventions of the second version ended. */
+  int32_t places;        /**< of the radius in the capacity */
+  int32_t also_reserved; /**< 0 */
+  char accumulation[24]; /**< how remainders take negative integrands */
 } leadscrew_pulse_conventions;
 
 /** Of the clocks until now. */
@@ -607,7 +617,7 @@ LEADSCREW_API int leadscrew_loops_figures(const leadscrew_loops* loops, leadscre
 /** It may be NULL. */
 LEADSCREW_API void leadscrew_loops_free(leadscrew_loops* loops);
 
-/** Of LEADSCREW_METHODS ... LEADSCREW_TIES the name with this number, from 0; NULL where there are not so many. */
+/** Of LEADSCREW_METHODS ... LEADSCREW_TIES, or of LEADSCREW_ACCUMULATIONS, the name with this number, from 0; NULL where there are not so many. */
 LEADSCREW_API const char* leadscrew_pulse_name(int what, size_t number);
 /** Which options a method has, and whether it draws ellipses: 1 << LEADSCREW_PRELOADS and so on, together; 0 of a name that is none. */
 LEADSCREW_API int leadscrew_pulse_uses(const char* method);

@@ -5,6 +5,7 @@
 #include <leadscrew/nc/pulse_reason.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "calls.hpp"
@@ -43,7 +44,8 @@ int bits_of_uses(nc::PulseMethod method) {
   const nc::MethodUses uses = nc::uses_of(method);
   return (uses.preload ? 1 << LEADSCREW_PRELOADS : 0) | (uses.order ? 1 << LEADSCREW_ORDERS : 0) |
          (uses.tie ? 1 << LEADSCREW_TIES : 0) | (uses.capacity ? 1 << LEADSCREW_CAPACITY : 0) |
-         (uses.ellipse ? 1 << LEADSCREW_ELLIPSES : 0) | (uses.free ? 1 << LEADSCREW_FREE : 0);
+         (uses.ellipse ? 1 << LEADSCREW_ELLIPSES : 0) | (uses.free ? 1 << LEADSCREW_FREE : 0) |
+         (uses.accumulation ? 1 << LEADSCREW_ACCUMULATIONS : 0) | (uses.places ? 1 << LEADSCREW_PLACES : 0);
 }
 
 /// A task in the words of the rooms.
@@ -77,10 +79,17 @@ const char* read_options(const leadscrew_pulse_task& task, Asked& asked) {
   const bool is_arc = asked.curve.is_arc(), is_circle = is_arc && !asked.curve.is_ellipse();
   if (task.is_free != 0 && !(uses.free && is_circle)) return "arcs of circles by integrators alone run freely";
   asked.options.free = task.is_free != 0;
+  if (task.places < 0 || task.places > nc::most_places) return "places are 1 to 16, or 0";
+  if (task.places > 0 && !uses.places) return "the method does not have places of the radius";
+  if (task.places > 0) asked.options.places = task.places;
   const char* wrong = read_choice(task.preload, uses.preload, nc::all_preloads, asked.options.preload);
   if (wrong == nullptr) wrong = read_choice(task.order, uses.order && is_arc, nc::all_orders, asked.options.order);
   if (wrong == nullptr) wrong = read_choice(task.tie, uses.tie && is_circle, nc::all_ties, asked.options.tie);
-  return wrong;
+  if (wrong == nullptr)
+    wrong = read_choice(task.accumulation, uses.accumulation, nc::all_accumulations, asked.options.accumulation);
+  if (wrong != nullptr) return wrong;
+  const std::string_view conflict = nc::conflict_of(asked.options, asked.curve);
+  return conflict.empty() ? nullptr : conflict.data();  // all of them literals
 }
 
 /// What is wrong with the call, or nothing.
@@ -143,6 +152,8 @@ const char* leadscrew_pulse_name(int what, std::size_t number) {
       return name_in(nc::all_orders, number);
     case LEADSCREW_TIES:
       return name_in(nc::all_ties, number);
+    case LEADSCREW_ACCUMULATIONS:
+      return name_in(nc::all_accumulations, number);
     default:
       return nullptr;
   }
@@ -198,6 +209,8 @@ int leadscrew_pulses_conventions(const leadscrew_pulses* pulses, leadscrew_pulse
   found.clocks_per_blu = nc::clocks_per_blu(run.method(), pulses->curve, in_force).value_or(0);
   if (in_force.preload) copy_text(found.preload, nc::name(*in_force.preload));
   if (in_force.order) copy_text(found.order, nc::name(*in_force.order));
+  found.places = in_force.places.value_or(0);
+  if (in_force.accumulation) copy_text(found.accumulation, nc::name(*in_force.accumulation));
   copy_text(found.tie, in_force.tie);
   copy_text(found.end, in_force.end);
   if (fill(conventions, found)) return LEADSCREW_OK;

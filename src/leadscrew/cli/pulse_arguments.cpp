@@ -135,7 +135,8 @@ Parsed<void> check_use(const PulseArguments& arguments) {
   const bool is_arc = arguments.curve.is_arc(), is_ellipse = arguments.curve.is_ellipse();
   const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
     const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
-    const bool is_of_circles = use == &nc::MethodUses::tie || use == &nc::MethodUses::free;
+    const bool is_of_circles =
+        use != &nc::MethodUses::preload && use != &nc::MethodUses::capacity && use != &nc::MethodUses::order;
     const bool is_of_arcs = is_of_circles || use == &nc::MethodUses::order;
     const bool is_used = std::any_of(arguments.methods.begin(), arguments.methods.end(), has) &&
                          (is_arc || !is_of_arcs) && !(is_ellipse && is_of_circles);
@@ -153,7 +154,15 @@ Parsed<void> check_use(const PulseArguments& arguments) {
       .and_then([&] { return check("--capacity", options.capacity.has_value(), &nc::MethodUses::capacity); })
       .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
       .and_then([&] { return check("--free", options.free, &nc::MethodUses::free); })
-      .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); });
+      .and_then([&] { return check("--places", options.places.has_value(), &nc::MethodUses::places); })
+      .and_then(
+          [&] { return check("--accumulation", options.accumulation.has_value(), &nc::MethodUses::accumulation); })
+      .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); })
+      .and_then([&]() -> Parsed<void> {
+        const std::string_view conflict = nc::conflict_of(options, arguments.curve);
+        if (conflict.empty()) return {};
+        return wrong("{}", conflict);
+      });
 }
 
 /// Of what is told on standard output.
@@ -194,6 +203,10 @@ void add_methods(Command& command, PulseArguments& pulse) {
   command.choice("--order", "ORDER", "Of the integrators of arcs: parallel, x-first, shrinking-first or growing-first",
                  options.order, named(nc::all_orders));
   command.flag("--free", "Arcs by dda and koren without counters: as many clocks as the angle takes", options.free);
+  command.choice("--accumulation", "WAY", "Of negative integrands with --free: sign-magnitude, floor or symmetric",
+                 options.accumulation, named(nc::all_accumulations));
+  command.value("--places", "N", "Binary places of the radius in the capacity of arcs by dda and koren, 1 to 16",
+                options.places, parse_count<int, nc::most_places>);
 }
 
 }  // namespace

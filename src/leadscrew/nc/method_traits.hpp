@@ -151,12 +151,15 @@ struct ByIntegrators : MethodDefaults {
   template <typename State>
   static State load(const PulseCurve& curve, const PulseConventions& in_force, const MethodOptions& asked) {
     const pulse::Preload preload = in_force.preload.value_or(pulse::Preload::none);
-    const pulse::CircularDdaOptions options{.order = in_force.order.value_or(pulse::Order::parallel),
-                                            .preload = preload,
-                                            .capacity = static_cast<std::int32_t>(*in_force.capacity)};
+    const pulse::CircularDdaOptions options{
+        .order = in_force.order.value_or(pulse::Order::parallel),
+        .preload = preload,
+        .places = in_force.places.value_or(0),
+        .capacity = in_force.places.value_or(0) > 0 ? 0 : static_cast<std::int32_t>(*in_force.capacity)};
     if (curve.is_ellipse()) return pulse::EllipticDda(curve.arc(), *curve.semi_axes, options);
     if (curve.is_arc() && asked.free)
-      return pulse::FreeArc(curve.arc(), free_clocks(curve, *in_force.capacity), options);
+      return pulse::FreeArc(curve.arc(), free_clocks(curve, *in_force.capacity), options,
+                            in_force.accumulation.value_or(pulse::Accumulation::sign_magnitude));
     if (curve.is_arc()) return pulse::CircularDda(curve.arc(), options);
     const pulse::Point delta = curve.delta();
     return pulse::LinearDda<2>({delta.x, delta.y}, *in_force.capacity, preload);

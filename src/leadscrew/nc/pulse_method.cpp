@@ -22,9 +22,9 @@ int bits_for(pulse::Point delta) {
 }
 
 /// The least capacity of an arc: its radius, rounded, or the longer semi-axis.
-std::int64_t radius_of(const PulseCurve& curve) {
+std::int64_t radius_of(const PulseCurve& curve, int places = 0) {
   if (curve.is_ellipse()) return curve.semi_axes->longer();
-  return std::max<std::int64_t>(1, pulse::root(curve.arc().squared_radius(), 0));
+  return std::max<std::int64_t>(1, pulse::root(curve.arc().squared_radius(), places));
 }
 
 /// What of an arc or a line decides on the capacity.
@@ -44,6 +44,11 @@ PulseConventions by_integrators(const PulseCurve& curve, const MethodOptions& op
     in_force.scale = curve.semi_axes->scale();
   } else if (curve.is_arc() && options.free) {
     in_force.end = "clocks-of-the-angle";
+    in_force.accumulation = options.accumulation.value_or(pulse::Accumulation::sign_magnitude);
+  } else if (curve.is_arc() && options.places) {
+    in_force.places = options.places;
+    in_force.capacity = radius_of(curve, *options.places);
+    return in_force;
   }
   in_force.capacity = options.capacity;
   return in_force;
@@ -116,7 +121,8 @@ std::optional<double> clocks_per_blu(PulseMethod method, const PulseCurve& curve
   if (rate_of(method) != CommandRate::path_length || !in_force.capacity || curve.is_ellipse()) return std::nullopt;
   const pulse::Point delta = curve.delta();
   const double length = std::sqrt(static_cast<double>(delta.x * delta.x + delta.y * delta.y));
-  return static_cast<double>(*in_force.capacity) / (curve.is_arc() ? curve.radius() : length);
+  const auto unit = static_cast<double>(std::int64_t{1} << in_force.places.value_or(0));
+  return static_cast<double>(*in_force.capacity) / ((curve.is_arc() ? curve.radius() : length) * unit);
 }
 
 std::string_view name(PulseMethod method) {
@@ -129,8 +135,8 @@ CommandRate rate_of(PulseMethod method) {
 
 MethodUses uses_of(PulseMethod method) {
   return with_row(method, [](auto row) {
-    return MethodUses{row.takes_preload, row.takes_capacity, row.takes_order,
-                      row.takes_tie,     row.takes_ellipse,  row.takes_free};
+    return MethodUses{row.takes_preload, row.takes_capacity, row.takes_order, row.takes_tie,
+                      row.takes_ellipse, row.takes_free,     row.takes_free,  row.takes_free};
   });
 }
 
@@ -150,6 +156,25 @@ std::string_view name(OnCircle tie) {
 std::string_view name(Order order) {
   constexpr std::array<std::string_view, 4> names = {"parallel", "x-first", "shrinking-first", "growing-first"};
   return names[static_cast<std::size_t>(order)];
+}
+
+std::string_view name(pulse::Accumulation accumulation) {
+  constexpr std::array<std::string_view, 3> names = {"sign-magnitude", "floor", "symmetric"};
+  return names[static_cast<std::size_t>(accumulation)];
+}
+
+std::string_view conflict_of(const MethodOptions& options, const PulseCurve& curve) {
+  const bool is_circle = curve.is_arc() && !curve.is_ellipse();
+  if (options.places && (!is_circle || options.free))
+    return "places of the radius are for arcs of circles that end by counters";
+  if (options.places && (options.bits || options.capacity))
+    return "places of the radius make the capacity: give no bits and no capacity beside";
+  if (options.accumulation && !(is_circle && options.free))
+    return "an accumulation is for arcs of circles that run freely";
+  if (options.accumulation.value_or(pulse::Accumulation::sign_magnitude) != pulse::Accumulation::sign_magnitude &&
+      options.preload == Preload::minus_one)
+    return "remainders that begin at -1 are for magnitudes: the accumulation sign-magnitude";
+  return {};
 }
 
 PulseConventions conventions_of(PulseMethod method, const PulseCurve& curve, const MethodOptions& options) {

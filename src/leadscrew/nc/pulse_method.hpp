@@ -21,6 +21,7 @@
 #include <leadscrew/nc/pulse_curve.hpp>
 #include <leadscrew/pulse/circular_dda.hpp>
 #include <leadscrew/pulse/circular_search.hpp>
+#include <leadscrew/pulse/free_circle.hpp>
 #include <optional>
 #include <string_view>
 
@@ -37,6 +38,9 @@ inline constexpr std::array all_ties = {pulse::OnCircle::outward, pulse::OnCircl
 inline constexpr std::array all_orders = {pulse::Order::parallel, pulse::Order::x_first, pulse::Order::shrinking_first,
                                           pulse::Order::growing_first};
 
+inline constexpr std::array all_accumulations = {pulse::Accumulation::sign_magnitude, pulse::Accumulation::floor,
+                                                 pulse::Accumulation::symmetric};
+
 /// What a method takes a command of feed for.
 enum class CommandRate : std::uint8_t {
   path_length,   ///< a BLU of the path, whatever its course: integrators
@@ -50,6 +54,7 @@ std::string_view name(PulseMethod method);
 std::string_view name(pulse::Preload preload);
 std::string_view name(pulse::OnCircle tie);
 std::string_view name(pulse::Order order);
+std::string_view name(pulse::Accumulation accumulation);
 
 /// Which of the options below a method has.
 struct MethodUses {
@@ -58,7 +63,9 @@ struct MethodUses {
   bool order = false;  ///< on arcs
   bool tie = false;    ///< on arcs
   bool ellipse = false;
-  bool free = false;  ///< on arcs of circles
+  bool free = false;          ///< on arcs of circles
+  bool places = false;        ///< on arcs of circles that end by counters
+  bool accumulation = false;  ///< on arcs of circles that run freely
 };
 MethodUses uses_of(PulseMethod method);
 
@@ -81,9 +88,16 @@ struct MethodOptions {
   std::optional<pulse::Order> order;
   bool free =
       false;  ///< of integrators of arcs of circles: no quadrants and counters, as many clocks as the angle takes
+  /// Of integrators of arcs of circles, 1 … 16: binary places of the radius in the capacity. Without bits, capacity and free.
+  std::optional<int> places{};
+  /// Of those that run freely: how remainders take negative integrands. Preload::minus_one is for magnitudes.
+  std::optional<pulse::Accumulation> accumulation{};
 };
 
-inline constexpr int most_pulse_bits = 30;
+/// What is wrong with options that do not go together on this curve; empty where nothing is.
+std::string_view conflict_of(const MethodOptions& options, const PulseCurve& curve);
+
+inline constexpr int most_pulse_bits = 30, most_places = 16;
 
 /// Those that are in force; empty where the method has no such choice.
 struct PulseConventions {
@@ -95,6 +109,8 @@ struct PulseConventions {
   std::string_view end;  ///< how the end is found
   /// Of an ellipse: what its integrands and its capacity are taken times, so that they are whole.
   std::optional<std::int64_t> scale{};
+  std::optional<int> places{};                        ///< of the radius in the capacity, where they were asked for
+  std::optional<pulse::Accumulation> accumulation{};  ///< of remainders of an arc that runs freely
 };
 
 // Of a search, whose tie is this; of the DDA in hardware; of Koren's program.

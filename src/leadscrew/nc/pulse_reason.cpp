@@ -46,17 +46,27 @@ std::vector<Addition> additions_of(const pulse::EllipticDda& state) {
 
 std::vector<Addition> additions_of(const pulse::FreeArc& state) {
   const bool x_is_first = state.x_comes_first();
+  const bool by_magnitude = state.accumulation() == pulse::Accumulation::sign_magnitude;
   const auto of = [&](const pulse::FreeArc::Axis& axis, std::int64_t integrand) {
-    return Addition{absolute(integrand), axis.integrator.remainder(), axis.integrator.capacity(), state.left()};
+    return Addition{by_magnitude ? absolute(integrand) : integrand,
+                    axis.integrator.remainder(),
+                    axis.integrator.capacity(),
+                    state.left(),
+                    false,
+                    state.accumulation()};
+  };
+  // By magnitudes the pulse has the sign of the integrand, else that of the carry.
+  const auto step_of = [&](const Addition& made, std::int64_t integrand) {
+    return by_magnitude ? made.carry() * pulse::sign(integrand) : made.carry();
   };
   pulse::Point at = state.at();
   if (x_is_first) {
     const Addition first = of(state.x(), state.of_x(at));
-    if (state.sees_new() && first.overflows()) at.x += pulse::sign(state.of_x(at));
+    if (state.sees_new()) at.x += step_of(first, state.of_x(at));
     return {first, of(state.y(), state.of_y(at))};
   }
   const Addition first = of(state.y(), state.of_y(at));
-  if (first.overflows()) at.y += pulse::sign(state.of_y(at));
+  at.y += step_of(first, state.of_y(at));
   return {of(state.x(), state.of_x(at)), first};
 }
 
@@ -107,6 +117,11 @@ std::string addition_text(const Addition& made, const char* capital, const char*
                           " = " + number(made.sum());
   if (!made.overflows())
     return sum + " < " + number(made.capacity) + ": no overflow, r" + axis + " " + number(made.sum());
+  if (made.carry() < 0) {
+    const std::int64_t least = made.accumulation == pulse::Accumulation::symmetric ? 1 - made.capacity : 0;
+    return sum + " < " + number(least) + ": borrow, " + step_text(capital, step) + ", r" + axis + " " +
+           number(made.sum() + made.capacity);
+  }
   return sum + " ≥ " + number(made.capacity) + ": overflow, " + step_text(capital, step) + ", r" + axis + " " +
          number(made.sum() - made.capacity);
 }

@@ -17,10 +17,14 @@ struct Addition {
   std::int64_t capacity = 1;   ///< q
   std::int64_t left = 0;       ///< steps of the axis before; where there is none it is not clocked
   bool drains = false;         ///< it steps without an overflow: its integrand is 0 and the other axis has arrived
+  pulse::Accumulation accumulation =
+      pulse::Accumulation::sign_magnitude;  ///< the integrand has a sign but by magnitudes
 
   std::int64_t sum() const { return remainder + integrand; }
   bool is_clocked() const { return left > 0; }
-  bool overflows() const { return is_clocked() && sum() >= capacity; }
+  /// 1, or −1 where a sum falls below what a remainder may be.
+  std::int8_t carry() const { return is_clocked() ? pulse::carry_of(accumulation, sum(), capacity) : std::int8_t{0}; }
+  bool overflows() const { return carry() != 0; }
 };
 
 /// Of x and of y at the next clock of a run that is not done; empty where the method has no integrators.

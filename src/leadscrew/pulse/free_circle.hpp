@@ -14,6 +14,13 @@ enum class Accumulation : std::uint8_t {
   symmetric,       ///< the remainder has a sign, stays between −q and q, and overflows at either
 };
 
+/// What a remainder overflows by: 1 at q and above, −1 below the least that it may be, 0 between.
+constexpr std::int8_t carry_of(Accumulation accumulation, std::int64_t sum, std::int64_t capacity) {
+  if (accumulation == Accumulation::sign_magnitude) return sum >= capacity ? 1 : 0;
+  const std::int64_t least = accumulation == Accumulation::symmetric ? 1 - capacity : 0;
+  return static_cast<std::int8_t>((sum >= capacity) - (sum < least));
+}
+
 class FreeCircle {
  public:
   static constexpr std::size_t axes = 2;
@@ -72,8 +79,7 @@ class FreeCircle {
       return sign(integrand);
     }
     remainder += integrand;
-    const std::int64_t least = accumulation_ == Accumulation::symmetric ? 1 - capacity_ : 0;
-    const auto carry = static_cast<std::int8_t>((remainder >= capacity_) - (remainder < least));
+    const std::int8_t carry = carry_of(accumulation_, remainder, capacity_);
     remainder -= carry * capacity_;
     return carry;
   }
@@ -85,7 +91,7 @@ class FreeCircle {
   Accumulation accumulation_;
 };
 
-/// The generator with magnitudes, for so many clocks and no counters: where it stands then shows what it drifts by.
+/// The generator for so many clocks and no counters: where it stands then shows what it drifts by.
 class FreeArc {
  public:
   static constexpr std::size_t axes = 2;
@@ -96,22 +102,43 @@ class FreeArc {
     std::int64_t at = 0;
 
     /// The integrand has the pulse's sign.
-    constexpr std::int8_t step(std::int64_t integrand) {
+    constexpr std::int8_t step(std::int64_t integrand, Accumulation accumulation) {
+      if (accumulation != Accumulation::sign_magnitude) return step_signed(integrand, accumulation);
       if (!integrator.add(absolute(integrand))) return 0;
       at += sign(integrand);
       return sign(integrand);
     }
+
+   private:
+    constexpr std::int8_t step_signed(std::int64_t integrand, Accumulation accumulation) {
+      const std::int64_t sum = integrator.remainder() + integrand, capacity = integrator.capacity();
+      const std::int8_t carry = carry_of(accumulation, sum, capacity);
+      integrator = {capacity, sum - carry * capacity};
+      at += carry;
+      return carry;
+    }
   };
 
   /// From the arc's start on in its direction, clocks ≥ 0; of the options order, preload and the capacity, by default R.
-  /// Which coordinate shrinks is told anew in each quadrant; the remainders are loaded once.
-  constexpr FreeArc(const Arc& arc, std::int64_t clocks, CircularDdaOptions options)
-      : sense_(static_cast<std::int64_t>(arc.direction)), left_(clocks), options_(options) {
+  /// Which coordinate shrinks is told anew in each quadrant; the remainders are loaded once: where they have signs, in the
+  /// sense of their first integrands. Preload::minus_one is for magnitudes.
+  constexpr FreeArc(const Arc& arc, std::int64_t clocks, CircularDdaOptions options,
+                    Accumulation accumulation = Accumulation::sign_magnitude)
+      : sense_(static_cast<std::int64_t>(arc.direction)),
+        left_(clocks),
+        options_(options),
+        accumulation_(accumulation) {
     const std::int64_t radius = root(arc.squared_radius(), 0);
     const std::int64_t capacity = options.capacity > 0 ? options.capacity : radius > 0 ? radius : 1;
     const bool x_lags = absolute(arc.start.y) < absolute(arc.start.x);
     x_ = {{capacity, preloaded(options.preload, capacity, x_lags)}, arc.start.x};
     y_ = {{capacity, preloaded(options.preload, capacity, !x_lags)}, arc.start.y};
+    if (accumulation != Accumulation::symmetric) return;
+    // An integrand that is 0 at the start grows by the other coordinate's first steps.
+    const bool x_is_negative = of_x(at()) < 0 || (of_x(at()) == 0 && arc.start.x > 0);
+    const bool y_is_negative = of_y(at()) < 0 || (of_y(at()) == 0 && arc.start.y > 0);
+    if (x_is_negative) x_.integrator = {capacity, -x_.integrator.remainder()};
+    if (y_is_negative) y_.integrator = {capacity, -y_.integrator.remainder()};
   }
 
   constexpr bool done() const { return left_ == 0; }
@@ -121,17 +148,18 @@ class FreeArc {
     --left_;
     const Point old = at();
     if (x_comes_first()) {
-      const std::int8_t x = x_.step(of_x(old));
-      return {{x, y_.step(of_y(sees_new() ? at() : old))}};
+      const std::int8_t x = x_.step(of_x(old), accumulation_);
+      return {{x, y_.step(of_y(sees_new() ? at() : old), accumulation_)}};
     }
-    const std::int8_t y = y_.step(of_y(old));
-    return {{x_.step(of_x(at())), y}};
+    const std::int8_t y = y_.step(of_y(old), accumulation_);
+    return {{x_.step(of_x(at()), accumulation_), y}};
   }
 
   constexpr Point at() const { return {x_.at, y_.at}; }
   constexpr const Axis& x() const { return x_; }
   constexpr const Axis& y() const { return y_; }
   constexpr std::int64_t left() const { return left_; }  ///< clocks
+  constexpr Accumulation accumulation() const { return accumulation_; }
   /// Integrands at a place, with the signs of the pulses.
   constexpr std::int64_t of_x(Point at) const { return -sense_ * at.y; }
   constexpr std::int64_t of_y(Point at) const { return sense_ * at.x; }
@@ -146,6 +174,7 @@ class FreeArc {
   Axis x_, y_;
   std::int64_t sense_, left_;
   CircularDdaOptions options_;
+  Accumulation accumulation_;
 };
 
 }  // namespace leadscrew::pulse

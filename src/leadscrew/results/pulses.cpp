@@ -30,6 +30,8 @@ Json json_of(const PulseConventions& conventions) {
   if (conventions.scale) options["scale"] = *conventions.scale;
   if (conventions.preload) options["preload"] = nc::name(*conventions.preload);
   if (conventions.order) options["order"] = nc::name(*conventions.order);
+  if (conventions.places) options["places"] = *conventions.places;
+  if (conventions.accumulation) options["accumulation"] = nc::name(*conventions.accumulation);
   if (!conventions.tie.empty()) options["tie"] = conventions.tie;
   options["end_rule"] = conventions.end;
   return options;

@@ -72,13 +72,15 @@ function rippleOf(session: Session, clock: number, length: number): number {
 
 /** "q = 16, zero, parallel" */
 export function conventionsText(conventions: Conventions): string {
-  const { capacity, scale, preload, order, tie } = conventions;
+  const { capacity, scale, preload, order, tie, places, accumulation } = conventions;
   const parts = [
     capacity > 0 ? `q = ${capacity}${scale > 1 ? ` · ${scale}` : ""}` : "",
     preload,
     order,
     tie === "" || tie === "none" ? "" : `ties ${tie}`,
     conventions.end === "clocks-of-the-angle" ? "no counters" : "",
+    places > 0 ? `${places} places` : "",
+    accumulation === "" || accumulation === "sign-magnitude" ? "" : accumulation,
   ];
   return parts.filter((part) => part !== "").join(", ");
 }

@@ -19,6 +19,8 @@ const labels: Readonly<Record<LaneKey, string>> = {
   order: "Order of integrators",
   tie: "On the circle",
   ending: "Ends",
+  accumulation: "Negative integrands",
+  places: "Places of the radius",
 };
 
 /** The mark by which a lane is told from the others: its number and its colour. */
@@ -61,12 +63,13 @@ export class LaneForms {
       own,
       ...names.map((name) => [name, name] as const),
     ];
-    const { methods, preloads, orders, ties } = this.catalogue;
+    const { methods, preloads, orders, ties, accumulations } = this.catalogue;
     const choices: Partial<Record<LaneKey, readonly (readonly [string, string])[]>> = {
       method: methods.map(({ name }) => [name, methodTitles[name] ?? name]),
       preload: named(preloads),
       order: named(orders),
       tie: named(ties),
+      accumulation: named(accumulations),
       ending: [
         ["counters", "By counters"],
         ["free", "By its angle's clocks"],
@@ -117,6 +120,8 @@ export class LaneForms {
         order: has?.hasOrder === true && isArc,
         tie: has?.hasTie === true && isCircle,
         ending: has?.hasFree === true && isCircle,
+        accumulation: has?.hasAccumulation === true && isCircle && lane.ending === "free",
+        places: has?.hasPlaces === true && isCircle && lane.ending !== "free",
       };
       for (const key of laneKeys)
         this.fields.show(`${key}-${number + 1}`, lane[key], isShown[key], errors[number]?.get(key));

@@ -8,7 +8,17 @@ import type { Camera, Layout } from "./scene";
 export const mostLanes = 4;
 
 /** What of the lesson's settings is a lane's own; all else is of the curve. */
-export const laneKeys = ["method", "bits", "capacity", "preload", "order", "tie", "ending"] as const;
+export const laneKeys = [
+  "method",
+  "bits",
+  "capacity",
+  "preload",
+  "order",
+  "tie",
+  "ending",
+  "accumulation",
+  "places",
+] as const;
 export type LaneKey = (typeof laneKeys)[number];
 export type Lane = Record<LaneKey, string>;
 
@@ -22,7 +32,8 @@ export interface State {
 }
 
 export function laneOf(method: string, more: Partial<Lane> = {}): Lane {
-  return { method, bits: "", capacity: "", preload: "", order: "", tie: "", ending: "counters", ...more };
+  const none = { bits: "", capacity: "", preload: "", order: "", tie: "", accumulation: "", places: "" };
+  return { method, ...none, ending: "counters", ...more };
 }
 
 /** Of a lane, as the lesson has them. */
@@ -35,6 +46,8 @@ export interface Comparison {
   readonly title: string;
   /** Whose curve it has. */
   readonly preset: string;
+  /** In place of the preset's. */
+  readonly curve?: Partial<Settings>;
   readonly lanes: readonly Lane[];
 }
 
@@ -70,6 +83,21 @@ export const comparisons: readonly Comparison[] = [
     ),
   },
   {
+    id: "negative",
+    title: "How remainders take negative integrands, half a turn",
+    preset: "koren-half-turn",
+    lanes: ["sign-magnitude", "floor", "symmetric"].map((accumulation) =>
+      laneOf("koren", { preload: "zero", ending: "free", accumulation }),
+    ),
+  },
+  {
+    id: "places",
+    title: "Binary places of an irrational radius in the capacity",
+    preset: "one-quadrant",
+    curve: { startX: "5", startY: "5", endX: "-5", endY: "5" },
+    lanes: ["", "2", "4", "8"].map((places) => laneOf("dda", { preload: "half", places })),
+  },
+  {
     id: "line",
     title: "The line to (11, 7), 4 bits",
     preset: "line-11-7",
@@ -97,6 +125,7 @@ export const comparisons: readonly Comparison[] = [
 export function stateOf(comparison: Comparison): State {
   const preset = presets.find(({ id }) => id === comparison.preset);
   const curve = preset === undefined ? { ...initial } : withPreset({ ...initial, interval: "0.1" }, preset);
+  Object.assign(curve, comparison.curve);
   return { curve, lanes: comparison.lanes.map((lane) => ({ ...lane })), layout: "overlay", camera: undefined };
 }
 
@@ -112,7 +141,23 @@ export function toLink(state: State): string {
   const link = new URLSearchParams(linkOf(state.curve).slice(1));
   link.delete("lesson");
   link.set("compare", "1");
-  for (const key of ["method", "n", "q", "r0", "order", "tie", "end", "run", "bp", "bq", "view", "predict", "poll"])
+  for (const key of [
+    "method",
+    "n",
+    "q",
+    "r0",
+    "order",
+    "tie",
+    "end",
+    "acc",
+    "places",
+    "run",
+    "bp",
+    "bq",
+    "view",
+    "predict",
+    "poll",
+  ])
     link.delete(key);
   for (const lane of state.lanes) link.append("l", laneKeys.map((key) => lane[key]).join(","));
   link.set("layout", state.layout);
@@ -174,7 +219,9 @@ export function figureOf(state: State, lane: Lane): Preset | undefined {
   return presets.find((preset) => {
     const its = withPreset(settings, preset);
     const all = isLine ? keys : its.curve === "ellipse" ? [...keys, ...ofArcs, ...ofEllipses] : [...keys, ...ofArcs];
-    return all.every((key) => its[key] === settings[key] || (isLine && /^(order|tie|ending)$/.test(key)));
+    return all.every(
+      (key) => its[key] === settings[key] || (isLine && /^(order|tie|ending|accumulation|places)$/.test(key)),
+    );
   });
 }
 

@@ -129,7 +129,7 @@ export const hold = { size: 12, kind: 4, axis: 8 } as const;
 export const axes = 9;
 
 export const task = {
-  size: 120,
+  size: 128,
   kind: 4,
   turns: 8,
   bits: 12,
@@ -143,10 +143,12 @@ export const task = {
   tie: 92,
   semiAxes: 96,
   isFree: 112,
+  places: 116,
+  accumulation: 120,
 } as const;
 
 export const conventions = {
-  size: 144,
+  size: 176,
   bits: 4,
   capacity: 16,
   clocksPerBlu: 24,
@@ -155,6 +157,8 @@ export const conventions = {
   tie: 80,
   end: 104,
   scale: 136,
+  places: 144,
+  accumulation: 152,
 } as const;
 
 export const figures = {
@@ -173,4 +177,14 @@ export const figures = {
 /** What functions return, and lists of leadscrew_pulse_name(). */
 export const code = { ok: 0, rejected: 1 } as const;
 export const kind = { line: 0, arc: 1 } as const;
-export const list = { methods: 0, preloads: 1, orders: 2, ties: 3, capacity: 4, ellipses: 5, free: 6 } as const;
+export const list = {
+  methods: 0,
+  preloads: 1,
+  orders: 2,
+  ties: 3,
+  capacity: 4,
+  ellipses: 5,
+  free: 6,
+  accumulations: 7,
+  places: 8,
+} as const;

@@ -36,15 +36,18 @@ export class EngineModule extends WasmModule<Exports> {
       this.withText(task.method, (method) =>
         this.withText(task.preload, (preload) =>
           this.withText(task.order, (order) =>
-            this.withText(task.tie, (tie) => {
-              this.writeTask(at, task);
-              const view = this.view;
-              view.setUint32(at + layout.task.method, method, true);
-              view.setUint32(at + layout.task.preload, preload, true);
-              view.setUint32(at + layout.task.order, order, true);
-              view.setUint32(at + layout.task.tie, tie, true);
-              return use(at);
-            }),
+            this.withText(task.tie, (tie) =>
+              this.withText(task.accumulation, (accumulation) => {
+                this.writeTask(at, task);
+                const view = this.view;
+                view.setUint32(at + layout.task.method, method, true);
+                view.setUint32(at + layout.task.preload, preload, true);
+                view.setUint32(at + layout.task.order, order, true);
+                view.setUint32(at + layout.task.tie, tie, true);
+                view.setUint32(at + layout.task.accumulation, accumulation, true);
+                return use(at);
+              }),
+            ),
           ),
         ),
       ),
@@ -63,5 +66,6 @@ export class EngineModule extends WasmModule<Exports> {
     }
     (task.semiAxes ?? []).forEach((each, i) => view.setBigInt64(at + layout.task.semiAxes + 8 * i, BigInt(each), true));
     view.setInt32(at + layout.task.isFree, task.isFree === true ? 1 : 0, true);
+    view.setInt32(at + layout.task.places, task.places, true);
   }
 }

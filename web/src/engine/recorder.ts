@@ -33,12 +33,17 @@ export class Recorder implements Engine {
         hasCapacity: has(uses, layout.list.capacity),
         hasEllipses: has(uses, layout.list.ellipses),
         hasFree: has(uses, layout.list.free),
+        hasAccumulation: has(uses, layout.list.accumulations),
+        hasPlaces: has(uses, layout.list.places),
       };
     });
-    const [preloads, orders, ties] = [layout.list.preloads, layout.list.orders, layout.list.ties].map((list) =>
-      module.names(list),
-    );
-    return { methods, preloads: preloads ?? [], orders: orders ?? [], ties: ties ?? [] };
+    return {
+      methods,
+      preloads: module.names(layout.list.preloads),
+      orders: module.names(layout.list.orders),
+      ties: module.names(layout.list.ties),
+      accumulations: module.names(layout.list.accumulations),
+    };
   }
 
   async problems(task: Task): Promise<Problem[]> {
@@ -174,6 +179,8 @@ export class Recorder implements Engine {
         tie: module.text(at + of.tie),
         end: module.text(at + of.end),
         scale: module.integer(at + of.scale),
+        places: module.view.getInt32(at + of.places, true),
+        accumulation: module.text(at + of.accumulation),
       };
     });
   }

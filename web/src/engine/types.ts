@@ -13,6 +13,10 @@ export interface Task {
   readonly semiAxes?: Point;
   /** Of an arc of a circle by integrators: no counters, as many clocks as the angle takes. */
   readonly isFree?: boolean;
+  /** Of an arc of a circle by integrators with counters: binary places of the radius in the capacity; 0: none. */
+  readonly places: number;
+  /** Of one that runs freely. Empty: the method's own. */
+  readonly accumulation: string;
   /** Of the registers; 0: as the method has them by default. */
   readonly bits: number;
   /** Of integrators; 0: by the curve, or 2 to the bits. */
@@ -40,6 +44,8 @@ export interface Method {
   readonly hasCapacity: boolean;
   readonly hasEllipses: boolean;
   readonly hasFree: boolean;
+  readonly hasAccumulation: boolean;
+  readonly hasPlaces: boolean;
 }
 
 export interface Catalogue {
@@ -47,6 +53,7 @@ export interface Catalogue {
   readonly preloads: readonly string[];
   readonly orders: readonly string[];
   readonly ties: readonly string[];
+  readonly accumulations: readonly string[];
 }
 
 /** What is in force; 0 or empty where the method has no such choice. */
@@ -60,6 +67,9 @@ export interface Conventions {
   readonly end: string;
   /** Of an ellipse: what integrands and capacity are taken times in the registers. */
   readonly scale: number;
+  /** Of the radius in the capacity; 0: none. */
+  readonly places: number;
+  readonly accumulation: string;
 }
 
 /** Columns of Recording.figures. */

@@ -112,6 +112,11 @@ export class Form {
         ["counters", "By counters, quadrant by quadrant"],
         ["free", "After the clocks of its angle"],
       ]),
+      this.select("accumulation", "Negative integrands", [
+        ["", "The method's own"],
+        ...this.catalogue.accumulations.map((name) => [name, name] as const),
+      ]),
+      this.text("places", "Places of the radius in q", "numeric"),
       this.inForce,
       html(
         "div",
@@ -149,6 +154,9 @@ export class Form {
     this.show("order", method?.hasOrder === true && isArc);
     this.show("tie", method?.hasTie === true && isArc && !isEllipse);
     this.show("ending", method?.hasFree === true && isArc && !isEllipse);
+    const isFree = settings.ending === "free" && method?.hasFree === true;
+    this.show("accumulation", method?.hasAccumulation === true && isArc && !isEllipse && isFree);
+    this.show("places", method?.hasPlaces === true && isArc && !isEllipse && !isFree);
     this.tellConventions(settings, conventions);
   }
 
@@ -173,6 +181,8 @@ export class Form {
         parts.push(`q = ${conventions.capacity}${conventions.scale > 1 ? ` · ${conventions.scale}` : ""}`);
       if (conventions.preload !== "") parts.push(`remainders begin ${conventions.preload}`);
       if (conventions.order !== "") parts.push(conventions.order);
+      if (conventions.places > 0) parts.push(`${conventions.places} binary places of R in q`);
+      if (conventions.accumulation !== "") parts.push(conventions.accumulation);
       if (conventions.tie !== "") parts.push(`ties: ${conventions.tie}`);
       parts.push(`end: ${conventions.end}`);
     }

@@ -180,7 +180,18 @@ export const presets: readonly Preset[] = [
 export function withPreset(settings: Settings, preset: Preset): Settings {
   const kept = { feed: settings.feed, polling: settings.polling, interval: settings.interval, run: settings.run };
   const marks = { stopAtPulse: settings.stopAtPulse, stopAtBorder: settings.stopAtBorder, predict: settings.predict };
-  return { ...initial, capacity: "", order: "", tie: "", ...kept, ...marks, ...preset.settings, clock: 0 };
+  return {
+    ...initial,
+    capacity: "",
+    order: "",
+    tie: "",
+    accumulation: "",
+    places: "",
+    ...kept,
+    ...marks,
+    ...preset.settings,
+    clock: 0,
+  };
 }
 
 /** The preset whose curve and method these are, if there is one. */
@@ -189,7 +200,7 @@ export function presetOf(settings: Settings): Preset | undefined {
     const whole = { ...withPreset(settings, preset), view: settings.view, clock: settings.clock };
     const isLine = whole.module === "line";
     const isLeftOut = (key: string): boolean =>
-      (isLine && /^(center[XY]|direction|order|tie|curve|ending|semi[XY])$/.test(key)) ||
+      (isLine && /^(center[XY]|direction|order|tie|curve|ending|semi[XY]|accumulation|places)$/.test(key)) ||
       (whole.curve === "circle" && /^semi[XY]$/.test(key));
     return (Object.keys(whole) as (keyof Settings)[]).every((key) => whole[key] === settings[key] || isLeftOut(key));
   });

@@ -17,6 +17,10 @@ export interface Settings {
   semiY: string;
   /** How an arc of a circle ends. */
   ending: "counters" | "free";
+  /** Of an arc of a circle that runs freely: how remainders take negative integrands. */
+  accumulation: string;
+  /** Of one with counters: binary places of the radius in the capacity. */
+  places: string;
   bits: string;
   capacity: string;
   feed: string;
@@ -49,6 +53,8 @@ export const initial: Settings = {
   semiX: "12",
   semiY: "7",
   ending: "counters",
+  accumulation: "",
+  places: "",
   bits: "4",
   capacity: "",
   feed: "10",
@@ -80,6 +86,8 @@ const names: Readonly<Record<keyof Settings, string>> = {
   semiX: "a",
   semiY: "b",
   ending: "end",
+  accumulation: "acc",
+  places: "places",
   bits: "n",
   capacity: "q",
   feed: "v",
@@ -188,6 +196,14 @@ export function taskOf(settings: Settings, method: Method | undefined, errors: F
   if (bits > 0 && capacity > 0)
     errors.set("capacity", `registers of ${bits} bits have the capacity ${2 ** bits}: leave one of the two empty`);
   checkTimes(settings, errors);
+  const isFree = isArc && !isEllipse && method?.hasFree === true && settings.ending === "free";
+  const ofCounters = isArc && !isEllipse && !isFree && method?.hasPlaces === true;
+  const places = ofCounters ? count(settings.places, "number of places", 16, errors, "places") : 0;
+  if (places > 0 && (bits > 0 || capacity > 0))
+    errors.set("places", "places of the radius make the capacity: leave bits and capacity empty, or this");
+  const accumulation = isFree && method?.hasAccumulation === true ? settings.accumulation : "";
+  if (!["", "sign-magnitude"].includes(accumulation) && settings.preload === "minus-one")
+    errors.set("preload", "remainders that begin at −1 are for magnitudes: sign-magnitude, or another load");
   return {
     shape: settings.module,
     start: point("startX", "startY", "start"),
@@ -195,7 +211,9 @@ export function taskOf(settings: Settings, method: Method | undefined, errors: F
     center: isArc ? point("centerX", "centerY", "centre") : [0, 0],
     clockwise: isArc && settings.direction === "cw",
     ...(isEllipse ? { semiAxes: semiAxesOf(settings, errors) } : {}),
-    isFree: isArc && !isEllipse && method?.hasFree === true && settings.ending === "free",
+    isFree,
+    places,
+    accumulation,
     bits,
     capacity,
     method: settings.method,
@@ -250,5 +268,7 @@ export function commandOf(task: Task): string {
   if (task.order !== "") words.push("--order", task.order);
   if (task.tie !== "") words.push("--tie", task.tie);
   if (task.isFree === true) words.push("--free");
+  if (task.accumulation !== "") words.push("--accumulation", task.accumulation);
+  if (task.places > 0) words.push("--places", String(task.places));
   return [...words, "--table"].join(" ");
 }
