@@ -7,6 +7,7 @@
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
+#include <leadscrew/results/pulse_help.hpp>
 #include <limits>
 #include <memory>
 #include <span>
@@ -16,25 +17,6 @@ namespace leadscrew::cli {
 namespace {
 
 using nc::PulseMethod;
-
-constexpr const char* pulse_examples =
-    "Examples:\n"
-    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
-    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
-    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
-    "  leadscrew pulse --ellipse 12,7 --start 12,0 --end 0,-7 --cw --table\n"
-    "\n"
-    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
-    "it\n"
-    "gives its published figures; --json names all that were in force.\n"
-    "\n"
-    "Columns of --table: x y from the centre or a line's start, F the deviation; n1 n2 n3 what F would be after a "
-    "step\n"
-    "of both axes, of y, of x; d = 4(d1 - d2) of improved-min-error; Jx Jy integrands, rx ry remainders, nx ny steps\n"
-    "left, n clocks left with --free, q the capacity. Of an ellipse r and q are taken so many times that all are "
-    "whole.\n"
-    "--vcd has them under the papers' names too, and says which is which: rst Val_z Val_f Val_n1\n"
-    "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// As they are given; the curve is made of them at the end.
 struct GivenCurve {
@@ -254,7 +236,7 @@ void describe_pulse(Command& command, Arguments& arguments) {
         .and_then([&] { return check_outputs(arguments.pulse, arguments.json); })
         .and_then([&] { return check_use(arguments.pulse); });
   });
-  command.help(pulse_examples);
+  command.help(std::string(results::pulse_help));
 }
 
 }  // namespace leadscrew::cli
