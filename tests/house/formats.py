@@ -459,6 +459,7 @@ def check_pulses(schemas):
     json_of(schemas, "pulse", *arc, "--path")
     json_of(schemas, "pulse", *arc, "--method", "dda", "--bits", "4", "--order", "x-first", "--preload", "zero")
     json_of(schemas, "pulse", *arc, "--free", "--preload", "minus-one", "--method", "koren")
+    json_of(schemas, "pulse", *arc, "--places", "6", "--method", "dda")
     json_of(schemas, "pulse", "pulse", "--ellipse", "12,7", "--start", "12,0", "--end", "0,-7", "--cw", "--path")
     json_of(schemas, "pulse", "pulse", "--line", "--end", "11,-7", "--path")
     json_of(schemas, "pulse", "pulse", "--arc", "--start", "5,0", "--end", "0,9", "--center", "0,0", status=3)
