@@ -49,7 +49,7 @@ struct Window {
       terms.inverse_caps.push_back({{0, 1 / problem->caps().middles[k], 0, 1 / problem->caps().knots[k + 1]}});
     if (any(0, 2) == 0) {
       for (std::size_t k = 0; k < problem->intervals(); ++k)
-        terms.weights.push_back(std::min(any(1, 150) / 100.0, 1.0));
+        terms.weights.push_back(static_cast<std::uint8_t>(any(0, static_cast<int>(planner::cap_weights.size()))));
     }
     for (std::size_t i = 0; i < terms.sites.size(); ++i) terms.factors.push_back(1 + any(0, 100) / 1000.0);
     for (const double creep : problem->creep()) c.push_back(creep * any(20, 60) / 100);

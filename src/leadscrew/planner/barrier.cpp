@@ -85,19 +85,20 @@ BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bou
 
 void BarrierSolver::weigh_caps() {
   const std::size_t n = problem_.intervals();
-  std::vector<double>& weights = terms_.weights;
-  for (std::size_t k = 0; k < n; ++k) weights.push_back(problem_.basis()[k].h / std::sqrt(bounds_.caps().middles[k]));
-  const double mean = std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(n);
-  for (double& weight : weights) weight = std::min(weight / mean, 1.0);
+  std::vector<double> wanted;
+  for (std::size_t k = 0; k < n; ++k) wanted.push_back(problem_.basis()[k].h / std::sqrt(bounds_.caps().middles[k]));
+  const double mean = std::accumulate(wanted.begin(), wanted.end(), 0.0) / static_cast<double>(n);
+  for (double& weight : wanted) weight = std::min(weight / mean, 1.0);
   for (std::size_t i = 0; i < n + 3; ++i) {
     const std::size_t from = i > 3 ? i - 3 : 0, to = std::min(i, n - 1);
     double sum = 0;
-    for (std::size_t k = from; k <= to; ++k) sum += weights[k];
-    weights_.push_back(sum / static_cast<double>(to - from + 1));
+    for (std::size_t k = from; k <= to; ++k) sum += wanted[k];
+    weights_.push_back(nearest_weight(sum / static_cast<double>(to - from + 1)));
   }
+  for (const double weight : wanted) terms_.weights.push_back(nearest_weight(weight));
   // Two caps of each interval; a cap and a floor of each coefficient that is free.
-  for (const double weight : weights) inequalities_ -= 2 * (1 - weight);
-  for (std::size_t i = first_free_; i < n + 3; ++i) inequalities_ -= 2 * (1 - weights_[i]);
+  for (const std::uint8_t weight : terms_.weights) inequalities_ -= 2 * (1 - cap_weights[weight]);
+  for (std::size_t i = first_free_; i < n + 3; ++i) inequalities_ -= 2 * (1 - weight(i));
 }
 
 /// Rows may have been relaxed less since.
@@ -151,7 +152,12 @@ bool BarrierSolver::newton(double t, Step& at, double& decrement) {
   double length = 1;
   for (int attempt = 0; attempt < most_attempts; ++attempt, length *= tuning::barrier::shorter) {
     iterate_.step_back(problem_, direction_, length, trial_);
+    trial_values_.outside = problem_.intervals();
     const Step there = measure(trial_.coefficients(), t, trial_values_);
+    for (const std::size_t k = trial_values_.outside; k < problem_.intervals() && attempt < most_attempts; ++attempt) {
+      if (is_inside(k, length * tuning::barrier::shorter)) break;
+      length *= tuning::barrier::shorter;
+    }
     if (there.value <= at.value - 0.05 * length * decrement) {
       at = there;
       if (!is_first_) step_duals(trial_.coefficients(), trial_values_, length);
@@ -162,6 +168,36 @@ bool BarrierSolver::newton(double t, Step& at, double& decrement) {
     }
   }
   return false;
+}
+
+/// Of an interval alone: whatever else may be outside, a step is too long that leaves this one so.
+bool BarrierSolver::is_inside(std::size_t k, double length) const {
+  std::array<double, 4> c;
+  for (std::size_t i = 0; i < 4; ++i) {
+    c[i] = iterate_.coefficients()[k + i];
+    if (problem_.is_free(k + i)) c[i] -= length * problem_.weight(k + i) * direction_[problem_.variable(k + i)];
+  }
+  const auto lane_of = [&](const std::array<Lanes, 4>& by, std::size_t lane) {
+    return by[0][lane] * c[0] + by[1][lane] * c[1] + (by[2][lane] * c[2] + by[3][lane] * c[3]);
+  };
+  for (std::size_t lane = 0; lane < 4; ++lane) {
+    const double x = lane_of(terms_.places[k], lane);
+    if (!(x > 0 && x * terms_.inverse_caps[k][lane] < 1)) return false;
+  }
+  const auto before = [](const SpeedProblem::Site& site, std::size_t interval) { return site.interval < interval; };
+  const auto first = std::lower_bound(terms_.sites.begin(), terms_.sites.end(), k, before);
+  for (auto site = first; site != terms_.sites.end() && site->interval == k; ++site) {
+    const double x = dot(site->x, c.data()),
+                 factor = terms_.factors[static_cast<std::size_t>(site - terms_.sites.begin())];
+    if (!(x > 0)) return false;
+    for (std::size_t block = site->first_block; block < site->end_block; ++block) {
+      for (std::size_t lane = 0; lane < 4; ++lane) {
+        const double y = lane_of(terms_.blocks[block].by, lane), square = lane % 2 == 0 ? 1 : x;
+        if (!(factor * square * y * y < 1)) return false;
+      }
+    }
+  }
+  return true;
 }
 
 /// Out of a creep, Newton's method goes up by two thirds of x a step where time alone counts, and doubles x where its
@@ -188,17 +224,18 @@ class BarrierSolver::Product {
     }
     return factor > 0;
   }
-  /// Of two at once, times a weight.
-  bool take(double factor, double other, double weight) {
-    if (weight == 1) return take(factor) && take(other);
+  /// Of two at once, with a weight, by index.
+  bool take(double factor, double other, std::uint8_t weight) {
+    if (weight == 0) return take(factor) && take(other);
     if (!(factor > 0 && other > 0)) return false;
-    sum_ -= weight * numeric::log(factor * other);
+    weighed_.take(factor * other, weight);
     return true;
   }
-  double logarithm() const { return sum_ - numeric::log(product_); }
+  double logarithm() { return sum_ - numeric::log(product_) + weighed_.sum(); }
 
  private:
   double sum_ = 0, product_ = 1;
+  WeighedLogarithms weighed_;
 };
 
 /// T by three-point Gauss, and on ramps of constant path jerk 3s₁/√x₁.
@@ -217,7 +254,7 @@ bool BarrierSolver::measure_coefficients(std::span<const double> c, Product& bar
   const std::vector<double>& caps = bounds_.caps().coefficients;
   for (std::size_t i = first_free_; i < c.size(); ++i) {
     const double inverse = 1 / caps[i];
-    if (!barrier.take(1 - c[i] * inverse, (c[i] - floors_[i]) * inverse, weight(i))) return false;
+    if (!barrier.take(1 - c[i] * inverse, (c[i] - floors_[i]) * inverse, weight_index(i))) return false;
   }
   return !problem_.ends_in_creep() || barrier.take(1 - c.back() / problem_.creep().back());
 }

@@ -75,11 +75,13 @@ class BarrierSolver {
   static constexpr int most_stages = 40, most_attempts = 60;
 
   void weigh_caps();
-  double weight(std::size_t coefficient) const { return weights_.empty() ? 1 : weights_[coefficient]; }
+  std::uint8_t weight_index(std::size_t coefficient) const { return weights_.empty() ? 0 : weights_[coefficient]; }
+  double weight(std::size_t coefficient) const { return cap_weights[weight_index(coefficient)]; }
   double begin(double gap);
   double grown(double t, double most);
   double follow(double t);
   bool newton(double t, Step& at, double& decrement);
+  bool is_inside(std::size_t interval, double length) const;
   void find_direction(double t);
   Step measure(std::span<const double> c, double t, BarrierValues& values) const;
   bool measure_coefficients(std::span<const double> c, Product& barrier) const;
@@ -102,7 +104,7 @@ class BarrierSolver {
   SpeedIterate& iterate_;
   SpeedIterate trial_;
   std::vector<double> floors_;
-  std::vector<double> weights_;  ///< of the coefficients' caps and floors; none: 1
+  std::vector<std::uint8_t> weights_;  ///< of the coefficients' caps and floors, by index; none: 1
   double inequalities_;
   std::size_t first_free_, first_single_, end_single_;  ///< coefficients: the first free one; those that are a variable
   BarrierTerms terms_;

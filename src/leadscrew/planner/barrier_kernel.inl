@@ -61,11 +61,13 @@ LEADSCREW_LANEWISE Vector multiples(double x) {
 struct Logarithms {
   Vector product = {1, 1, 1, 1};
   double sum = 0;
+  WeighedLogarithms weighed;
 
   LEADSCREW_LANEWISE void take(const Vector& factors) { product *= factors; }
-  /// The places of an interval that have caps.
-  void take(const Vector& factors, double weight) {
-    sum -= weight * numeric::log(factors[SpeedProblem::middle_place] * factors[SpeedProblem::end_place]);
+  /// The places of an interval that have caps, if it is inside them.
+  LEADSCREW_LANEWISE void take(const Vector& factors, std::uint8_t weight) {
+    const double both = factors[SpeedProblem::middle_place] * factors[SpeedProblem::end_place];
+    if (both > 0) weighed.take(both, weight);
   }
   /// Before a product may fall below the smallest double.
   LEADSCREW_LANEWISE void settle() {
@@ -81,18 +83,19 @@ struct Logarithms {
 bool measure(const BarrierTerms& terms, std::span<const double> c, BarrierValues& values) {
   Logarithms logarithms;
   Vector time = {};
-  const Vector none = {}, one = all(1), weights = load(terms.time_weights);
+  const Vector none = {}, one = all(1), time_weights = load(terms.time_weights);
   std::size_t next = 0;
   for (std::size_t k = 0; k < terms.places.size(); ++k) {
     const std::array<Vector, 4> at = {all(c[k]), all(c[k + 1]), all(c[k + 2]), all(c[k + 3])};
     const Vector x = along(terms.places[k], at), free = one - x * load(terms.inverse_caps[k]);
     store(values.places[k], x);
     Mask inside = (x > none) & (free > none);
-    time += all(terms.basis[k].h) * weights / root(x);
-    if (terms.weight(k) == 1) {
+    time += all(terms.basis[k].h) * time_weights / root(x);
+    const std::uint8_t weight = terms.weight(k);
+    if (weight == 0) {
       logarithms.take(free);
     } else {
-      logarithms.take(free, terms.weight(k));
+      logarithms.take(free, weight);
     }
     for (; next < terms.sites.size() && terms.sites[next].interval == k; ++next) {
       const SpeedProblem::Site& site = terms.sites[next];
@@ -108,12 +111,15 @@ bool measure(const BarrierTerms& terms, std::span<const double> c, BarrierValues
         logarithms.settle();
       }
     }
-    if (any(~inside)) return false;
+    if (any(~inside)) {
+      values.outside = k;
+      return false;
+    }
     logarithms.settle();
   }
   logarithms.flush();
   values.time = sum_of(time);
-  values.barrier = logarithms.sum;
+  values.barrier = logarithms.sum + logarithms.weighed.sum();
   return true;
 }
 
@@ -145,14 +151,14 @@ struct Local {
 
 void assemble(const BarrierTerms& terms, double t, const BarrierValues& values, const BarrierDuals& duals,
               std::span<LocalModel> models) {
-  const Vector one = all(1), of_jerk = {0, 1, 0, 1}, weights = load(terms.time_weights);
+  const Vector one = all(1), of_jerk = {0, 1, 0, 1}, time_weights = load(terms.time_weights);
   const Vector middle = {0, 1, 0, 0}, end = {0, 0, 0, 1};  // SpeedProblem::middle_place, end_place
   std::size_t next = 0;
   for (std::size_t k = 0; k < terms.places.size(); ++k) {
     Local local;
     const Vector x = load(values.places[k]), inverse = one / x, cap = load(terms.inverse_caps[k]);
-    const Vector part = all(t * terms.basis[k].h) * weights * (inverse / root(x));
-    const Vector kept = all(terms.weight(k)) * cap / (one - x * cap);
+    const Vector part = all(t * terms.basis[k].h) * time_weights * (inverse / root(x));
+    const Vector kept = all(planner::cap_weights[terms.weight(k)]) * cap / (one - x * cap);
     Vector slope = kept - all(0.5) * part;
     Vector bend = all(terms.time_curvature) * part * inverse + load(duals.places[k]) * cap * kept;
     if (!terms.excess.empty()) {

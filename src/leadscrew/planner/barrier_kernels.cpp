@@ -1,6 +1,7 @@
 #include <cmath>
 #include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/barrier_kernels.hpp>
+#include <utility>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
@@ -9,6 +10,25 @@
 #pragma GCC diagnostic ignored "-Wpsabi"  // no vector is handed from function to function that is not inline
 
 namespace leadscrew::planner {
+
+std::uint8_t nearest_weight(double weight) {
+  constexpr double half_step = 0.84089641525371454;  // 2^(−1/4)
+  std::uint8_t index = 0;
+  while (index + 1u < cap_weights.size() && weight < half_step * cap_weights[index]) ++index;
+  return index;
+}
+
+void WeighedLogarithms::flush(std::size_t weight) {
+  sum_ -= cap_weights[weight] * numeric::log(products_[weight]);
+  products_[weight] = 1;
+}
+
+double WeighedLogarithms::sum() {
+  for (std::size_t weight = 0; weight < products_.size(); ++weight) {
+    if (products_[weight] != 1) flush(weight);
+  }
+  return std::exchange(sum_, 0);
+}
 
 namespace plain {
 namespace {

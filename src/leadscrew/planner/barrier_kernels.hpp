@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <leadscrew/planner/lanes.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
 #include <span>
@@ -29,20 +30,51 @@ struct ExcessTerms {
   Lanes slope{}, curvature{};
 };
 
+/// What caps may weigh, 2^(−i/2): few weights, so that the factors of each are multiplied before a logarithm is taken.
+inline constexpr std::array<double, 16> cap_weights = [] {
+  std::array<double, 16> powers{1, 0.70710678118654757};
+  for (std::size_t i = 2; i < powers.size(); ++i) powers[i] = powers[i - 2] / 2;
+  return powers;
+}();
+/// Index of the nearest, for a weight > 0.
+std::uint8_t nearest_weight(double weight);
+
+/// −Σ weight · log of factors > 0.
+class WeighedLogarithms {
+ public:
+  void take(double factor, std::uint8_t weight) {
+    double& product = products_[weight];
+    product *= factor;
+    if (product < 1e-200) flush(weight);
+  }
+  /// After which it begins anew.
+  double sum();
+
+ private:
+  void flush(std::size_t weight);
+
+  std::array<double, cap_weights.size()> products_ = [] {
+    std::array<double, cap_weights.size()> ones{};
+    ones.fill(1);
+    return ones;
+  }();
+  double sum_ = 0;
+};
+
 /// What does not change from step to step.
 struct BarrierTerms {
   std::span<const SpeedProblem::Places> places;
   std::span<const CubicBasis> basis;
   std::span<const SpeedProblem::Site> sites;
   std::span<const SpeedProblem::Block> blocks;
-  double time_curvature = 0.75;     ///< of x^(−1/2), times x^(5/2)
-  Lanes time_weights{};             ///< of an interval's places, per unit of its length
-  std::vector<Lanes> inverse_caps;  ///< of x at the places; 0: no cap
-  std::vector<double> weights;      ///< of the caps of each interval; none: 1
-  std::vector<double> factors;      ///< of the sites, squared
-  std::vector<ExcessTerms> excess;  ///< of the intervals; none where time alone counts
+  double time_curvature = 0.75;       ///< of x^(−1/2), times x^(5/2)
+  Lanes time_weights{};               ///< of an interval's places, per unit of its length
+  std::vector<Lanes> inverse_caps;    ///< of x at the places; 0: no cap
+  std::vector<std::uint8_t> weights;  ///< of the caps of each interval, by index; none: 1
+  std::vector<double> factors;        ///< of the sites, squared
+  std::vector<ExcessTerms> excess;    ///< of the intervals; none where time alone counts
 
-  double weight(std::size_t interval) const { return weights.empty() ? 1 : weights[interval]; }
+  std::uint8_t weight(std::size_t interval) const { return weights.empty() ? 0 : weights[interval]; }
 };
 
 /// Values of one iterate.
@@ -52,6 +84,7 @@ struct BarrierValues {
   std::vector<Lanes> places;    ///< x at the intervals' places
   double time = 0;              ///< ∫ x^(−1/2) ds without ramps, s
   double barrier = 0;           ///< −Σ log(1 − u) of rows and places
+  std::size_t outside = 0;      ///< where a limit was passed: the first such interval
 };
 
 /// Multipliers of rows and of caps at places, times t.

@@ -39,14 +39,13 @@ Segment quintic(const PathState& from, const PathState& to, double duration) {
   return segment;
 }
 
-/// The greatest of values at even steps, raised to the vertex of the parabola through every three of them. NaN counts
-/// as infinity: it exceeds every limit.
+/// The greatest of values ≥ 0 at even steps, raised to the vertex of the parabola through every three of them where that may
+/// lie above 1: it is no higher than 4/3 of the middle one. NaN counts as infinity: it exceeds every limit.
 class Peak {
  public:
   void look(double value) {
-    greatest_ = std::max(greatest_, value);
-    if (std::isnan(value)) greatest_ = infinity;
-    if (++looks_ > 2) {
+    if (!(value <= greatest_)) greatest_ = std::isnan(value) ? infinity : value;
+    if (++looks_ > 2 && last_ > 0.74) {
       const double bend = 2 * last_ - before_last_ - value, slope = (value - before_last_) / 2;
       if (std::abs(slope) < bend) greatest_ = std::max(greatest_, last_ + slope * slope / (2 * bend));
     }

@@ -36,15 +36,17 @@ std::array<double, 3> rest_tie(double s1, double h0, double h1) {
 
 /// Do derivatives of the curve lie above those at both ends of an interval, by as much as counts at this speed?
 bool is_above(const RowPairs& here, const RowPairs& left, const RowPairs& right, double fastest) {
-  const auto above = [](double m, double x, double y, double counts) {
-    return std::abs(m) > std::max(1.001 * std::max(std::abs(x), std::abs(y)), counts);
+  const auto above = [](double m, double x, double y) {
+    return std::abs(m) > 1.001 * std::max(std::abs(x), std::abs(y));
   };
   for (std::size_t i = 0; i < RowPairs::size; ++i) {
     const auto& [a, j] = here.pairs[i];
     const auto& [left_a, left_j] = left.pairs[i];
     const auto& [right_a, right_j] = right.pairs[i];
-    if (above(a.by_x, left_a.by_x, right_a.by_x, least_peak * a.limit / squared(fastest)) ||
-        above(j.by_x, left_j.by_x, right_j.by_x, least_peak * j.limit / (squared(fastest) * fastest))) {
+    if (above(a.by_x, left_a.by_x, right_a.by_x) && std::abs(a.by_x) > least_peak * a.limit / squared(fastest))
+      return true;
+    if (above(j.by_x, left_j.by_x, right_j.by_x) &&
+        std::abs(j.by_x) > least_peak * j.limit / (squared(fastest) * fastest)) {
       return true;
     }
   }
