@@ -11,8 +11,10 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/planner/planner.hpp>
 #include <leadscrew/toolpath/builder.hpp>
+#include <memory>
 #include <motion.hpp>
 #include <numbers>
+#include <optional>
 #include <percentiles.hpp>
 #include <six_axes.hpp>
 #include <string>
@@ -166,10 +168,14 @@ void plan(benchmark::State& state, const machine::Machine& machine, const geomet
   state.SetItemsProcessed(static_cast<std::int64_t>(path.size()) * state.iterations());
 }
 
-void add(const std::string& name, const machine::Machine& machine, const Path& path, const geometry::Point& at = {}) {
+/// The path is made once, where its section is run.
+template <typename Make>
+void add(const std::string& name, const machine::Machine& machine, const Make& make, const geometry::Point& at = {}) {
+  const auto made = std::make_shared<std::optional<Path>>();
   leadscrew::bench::with_percentiles(
       benchmark::RegisterBenchmark(("plan/" + name).c_str(), [=](benchmark::State& state) {
-        plan(state, machine, at, path);
+        if (!*made) *made = make();
+        plan(state, machine, at, **made);
       })->Iterations(1));
 }
 
@@ -177,30 +183,34 @@ const bool added = [] {
   for (const bool fast : {false, true}) {
     const machine::Machine machine = fast ? fast_mill() : machine::mill3();
     const std::string on = fast ? ", ten times as fast" : "";
-    add("line" + on, machine, lines_with_stops());
-    add("small arcs" + on, machine, small_arcs());
-    add("corners" + on, machine, path_of(squares()));
-    add("zigzag" + on, machine, path_of(zigzag()));
-    add("engraving" + on, machine, path_of(wandering(200, 0.05, 0.5, 0.6)));
-    add("random lines" + on, machine, path_of(wandering(40, 0.2, 4, 3)));
-    add("finishing" + on, machine, path_of(finishing()));
+    add("line" + on, machine, lines_with_stops);
+    add("small arcs" + on, machine, small_arcs);
+    add("corners" + on, machine, [] { return path_of(squares()); });
+    add("zigzag" + on, machine, [] { return path_of(zigzag()); });
+    add("engraving" + on, machine, [] { return path_of(wandering(200, 0.05, 0.5, 0.6)); });
+    add("random lines" + on, machine, [] { return path_of(wandering(40, 0.2, 4, 3)); });
+    add("finishing" + on, machine, [] { return path_of(finishing()); });
   }
   const machine::Machine trunnion = testing_support::trunnion();
-  add("blade of 4500 short lines in five axes", trunnion,
-      path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), trunnion));
+  const auto blade = [](const machine::Machine& on) {
+    return path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), on);
+  };
+  add("blade of 4500 short lines in five axes", trunnion, [=] { return blade(trunnion); });
   machine::Machine like_mill = trunnion;
   for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
     auto& limits = like_mill.axes[base::index(axis)];
     const auto of_mill = machine::mill3().axes[base::index(axis)];
     limits->velocity = of_mill->velocity, limits->acceleration = of_mill->acceleration, limits->jerk = of_mill->jerk;
   }
-  add("the same with the linear axes of the built-in mill", like_mill,
-      path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), like_mill));
-  testing_support::CurveInSixAxes curve(50);
-  const geometry::Point at = curve.start();
-  Path path;
-  while (path.size() < 300) path.emplace_back(curve.next());
-  add("windows of a curve in six axes", testing_support::mill_of_six_axes(), path, at);
+  add("the same with the linear axes of the built-in mill", like_mill, [=] { return blade(like_mill); });
+  const auto six_axes = [] {
+    testing_support::CurveInSixAxes curve(50);
+    Path path;
+    while (path.size() < 300) path.emplace_back(curve.next());
+    return path;
+  };
+  add("windows of a curve in six axes", testing_support::mill_of_six_axes(), six_axes,
+      testing_support::CurveInSixAxes(50).start());
   return true;
 }();
 
