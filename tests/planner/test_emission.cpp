@@ -37,7 +37,7 @@ planner::Section cubic_spline() {
 /// A stop may pass knots at which the third derivative jumps, anywhere between the places that the proof looks at.
 RC_GTEST_PROP(Proof, SeesJumpsOfTheThirdDerivative, ()) {
   const planner::Section section = cubic_spline();
-  const machine::Machine machine = testing_support::random_machine();
+  machine::Machine machine = testing_support::random_machine();
   const constraints::Constraints constraints(machine);
   planner::PathState from;
   from.s = section.length() * any(0, 800) / 1000.0;
@@ -51,9 +51,15 @@ RC_GTEST_PROP(Proof, SeesJumpsOfTheThirdDerivative, ()) {
     for (const planner::Side side : {planner::Side::left, planner::Side::right})
       constraints.raise({section.jets(at.s, side), 1e300}, planner::rates(at), seen);
   }
+  // On a machine whose limits it just reaches, where what lies between samples counts.
   const machine::Derivatives greatest = seen.by_derivative();
-  const planner::Ratios proven = planner::greatest_ratios(stop, section, constraints, 1e300, planner::close_looks);
-  RC_ASSERT(proven.rows >= (1 - 1e-3) * std::max(greatest.acceleration, greatest.jerk));
+  const double ratio = std::max(greatest.acceleration, greatest.jerk);
+  for (auto& limits : machine.axes) {
+    if (limits) limits->acceleration *= ratio, limits->jerk *= ratio;
+  }
+  const planner::Ratios proven =
+      planner::greatest_ratios(stop, section, constraints::Constraints(machine), 1e300, planner::close_looks);
+  RC_ASSERT(proven.rows >= 1 - 5e-3);
 }
 
 }  // namespace test_emission

@@ -34,7 +34,8 @@ Segment along_interval(const SpeedProfile& profile, std::size_t interval, double
 
 /// Samples of the proof on a segment between knots; the closer ones where knots lie far apart for how speed falls.
 inline constexpr int usual_looks = 12, close_looks = 32;
-/// The largest ratios of speed, and of acceleration and jerk, seen at `looks` samples a segment. Speed is judged by
+/// The largest ratios of speed, and of acceleration and jerk, seen at `looks` samples a segment, and between them
+/// where that may exceed a limit. Speed is judged by
 /// `feed_factor` times the programmed one, too. A motion that turns back counts as one that exceeds acceleration by
 /// half, so that it is planned again deeper inside the limits.
 Ratios greatest_ratios(const Segment& segment, const Section& section, const constraints::Constraints& constraints,
