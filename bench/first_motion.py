@@ -5,6 +5,7 @@ script/bench --first-motion [COMMAND …]: commands by turns, build/release/lead
 
 import os
 import re
+import select
 import statistics
 import subprocess
 import sys
@@ -31,11 +32,16 @@ def seconds_to_first_word(command, program, folder):
     options = ["--machine", os.path.join(ROOT, "machines/table-table-ac.toml"), "--tools", os.path.join(ROOT, "examples/tools.tbl")]
     begin = time.perf_counter()
     process = subprocess.Popen([command, "drive", program, *options, "--sink", fifo], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    with open(fifo, encoding="utf-8") as words:
-        words.readline()
-        moves = words.readline() != "" and words.readline() != ""
-        seconds = time.perf_counter() - begin
-        process.kill()
+    # Opened for both, so that a command which fails before it opens the sink leaves nobody waiting.
+    words = os.open(fifo, os.O_RDWR | os.O_NONBLOCK)
+    rows, seconds = b"", 0
+    while rows.count(b"\n") < 2 and process.poll() is None:
+        if select.select([words], [], [], 0.1)[0]:
+            rows += os.read(words, 1 << 16)
+            seconds = time.perf_counter() - begin
+    moves = rows.count(b"\n") >= 2
+    process.kill()
+    os.close(words)
     said = process.stderr.read().decode()
     process.wait()
     os.unlink(fifo)

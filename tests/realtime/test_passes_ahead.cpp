@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <leadscrew/realtime/passes_ahead.hpp>
 
 namespace leadscrew::realtime {
@@ -36,7 +38,8 @@ void expect_same(const surfaces::Pass& found, const surfaces::Pass& expected) {
 
 TEST(PassesAhead, AreThoseThatAreMadeAsTheyAreAskedFor) {
   surfaces::Passes ahead(saddle(5)), expected(saddle(5));
-  const auto source = passes_ahead(ahead);
+  std::atomic<double> seconds = 0;
+  const auto source = passes_ahead(ahead, seconds);
   std::size_t count = 0;
   while (const auto pass = expected.next()) {
     const auto found = source->next();
@@ -46,6 +49,8 @@ TEST(PassesAhead, AreThoseThatAreMadeAsTheyAreAskedFor) {
   }
   EXPECT_GT(count, 100u);
   EXPECT_FALSE(source->next());
+  EXPECT_GT(seconds, 0);
+  EXPECT_FALSE(source->next());
   EXPECT_FALSE(source->next());
   EXPECT_FALSE(ahead.failure());
   EXPECT_EQ(ahead.count(), expected.count());
@@ -53,7 +58,8 @@ TEST(PassesAhead, AreThoseThatAreMadeAsTheyAreAskedFor) {
 
 TEST(PassesAhead, EndWithTheSameFailure) {
   surfaces::Passes ahead(saddle(150)), expected(saddle(150));
-  const auto source = passes_ahead(ahead);
+  std::atomic<double> seconds = 0;
+  const auto source = passes_ahead(ahead, seconds);
   while (const auto pass = expected.next()) expect_same(source->next().value(), *pass);
   EXPECT_FALSE(source->next());
   ASSERT_TRUE(expected.failure() && ahead.failure());
@@ -62,12 +68,19 @@ TEST(PassesAhead, EndWithTheSameFailure) {
   EXPECT_EQ(ahead.count(), expected.count());
 }
 
-TEST(PassesAhead, NeedNotAllBeTaken) {
+TEST(PassesAhead, AreNoLongerMadeOnceNobodyTakesThem) {
+  std::size_t fewest = surfaces::most_passes;
   for (int taken = 0; taken < 20; ++taken) {
     surfaces::Passes passes(saddle(5));
-    const auto source = passes_ahead(passes);
-    for (int k = 0; k < taken % 5; ++k) EXPECT_TRUE(source->next());
+    std::atomic<double> seconds = 0;
+    {
+      const auto source = passes_ahead(passes, seconds);
+      for (int k = 0; k < taken % 5; ++k) EXPECT_TRUE(source->next());
+    }
+    EXPECT_GT(seconds, 0);
+    fewest = std::min(fewest, passes.count());
   }
+  EXPECT_LE(fewest, 2u);  // room is for eight passes and links
 }
 
 }  // namespace test_passes_ahead

@@ -73,11 +73,25 @@ TEST(ResultsPage, ListsARefusalOnceAMachineAndNoTextAsMarkup) {
 TEST(ResultsPage, TellsTheWorstOfEachKindOfACampaign) {
   const std::string page = page_of(
       {R"({"kind":"arcs","seed":1,"number":4,"status":"kept","time_s":1,"jerk_ratio":0.5,"deviation_mm":1,"allowed_mm":4})",
-       R"({"kind":"arcs","seed":1,"number":5,"status":"not-kept","broken":"jerk","time_s":1,"jerk_ratio":1.25})"});
+       R"({"kind":"arcs","seed":9007199254740993,"number":5,"status":"not-kept","broken":"jerk","time_s":1,"jerk_ratio":1.25})"});
   EXPECT_TRUE(contains(page, "<td data-value=\"1.25\">1.25</td>")) << page;
   EXPECT_TRUE(contains(page, "<td data-value=\"0.25\">0.25</td>"));
-  EXPECT_TRUE(contains(page, "seed 1, number 5 (arcs)</td><td class=\"text long bad\">jerk"));
+  EXPECT_TRUE(contains(page, "seed 9007199254740993, number 5 (arcs)</td><td class=\"text long bad\">jerk"));
   EXPECT_TRUE(contains(page, "verdict bad"));
+}
+
+TEST(ResultsPage, SaysThatAllIsKeptWhereSomethingRanAndAllOfItWas) {
+  const std::string kept = ran("a", "m", 0.01, 3), changed = R"(,"changed":"jerk X")";
+  EXPECT_TRUE(contains(page_of({kept}), "verdict good\">Every motion keeps"));
+  for (const auto& rows : {std::vector<std::string>{}, {refused("a", "m", 0.01)}}) {
+    const std::string page = page_of(rows);
+    EXPECT_TRUE(contains(page, "<p class=\"verdict\">No program has run.")) << page;
+    EXPECT_FALSE(contains(page, "Every motion keeps"));
+  }
+  std::string variant = ran("a", "m", 0.01, 2, changed.c_str());
+  variant.replace(variant.find("\"kept\""), 6, "\"not-kept\"");
+  const std::string page = page_of({kept, variant});
+  EXPECT_TRUE(contains(page, "verdict bad\">1 of the tasks did not keep")) << page;
 }
 
 TEST(ResultsPage, IsWrittenByASweepAndNeedsNoOtherFile) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <atomic>
 #include <filesystem>
 #include <leadscrew/cli/curve_program.hpp>
 #include <leadscrew/cli/job.hpp>
@@ -181,7 +182,8 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   console.begin_progress();
   gcode::ReaderOptions options = job.reader_options(file);
   options.remarks = std::move(remarks);
-  options.pass_source = realtime::passes_ahead;
+  std::atomic<double> makers = 0;  // s of the processor
+  options.pass_source = [&](surfaces::Passes& passes) { return realtime::passes_ahead(passes, makers); };
   gcode::Reader reader(file.source(&progress.bytes), job.machine, job.tools, std::move(options),
                        [&](const base::Diagnostic& problem) { log.add(problem); });
   std::optional<language::Lint> lint;
@@ -202,7 +204,7 @@ Reading read_program(const files::InputFile& file, const Job& job, Console& cons
   console.clear_progress();
   if (reader.source_failure()) log.add(*reader.source_failure());
   if (files::interrupted() && !reader.source_failure()) log.add(files::interruption());
-  reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
+  reading.seconds = realtime::SystemClocks::processor_seconds() - begin + makers;
   return reading;
 }
 

@@ -112,8 +112,8 @@ struct ReaderOptions {
   /// Surfaces whose passes turn rotary axes: what this reading finds of them is kept there for others of the program, which then do
   /// not find it again; moves are the same with and without. None: nothing is kept.
   std::shared_ptr<SurfaceDrafts> surface_drafts{};
-  /// Who makes the passes of surfaces, for instance a thread of its own while they are checked here: a quarter of the time of
-  /// reading them. None: the reader, as it comes to them. Moves are the same.
+  /// Who makes the passes of surfaces, for instance a thread of its own while they are checked here. None, or where it gives
+  /// none: the reader, as it comes to them. Moves are the same.
   std::function<std::unique_ptr<surfaces::PassSource>(surfaces::Passes&)> pass_source{};
   bool allows_gouging = false;  ///< surfaces are machined though the tool gouges where it touches; else `surface-gouge`
   bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it

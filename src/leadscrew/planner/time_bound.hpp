@@ -18,7 +18,8 @@
 //
 // Where an axis turns back, q′ = 0, only the curve asks something of it, |q″|x ≤ a (a zero-inertia point: Pfeiffer & Johanni,
 // 1987): there is a knot at each. Time is that of the fastest way between the two speeds. On lines that is exact with one
-// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it.
+// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it. Between
+// two knots x is taken along a chord, which on curves makes the bound up to 2e-5 of itself higher than the least time.
 
 #include <array>
 #include <cstddef>

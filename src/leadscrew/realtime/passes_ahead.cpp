@@ -1,7 +1,9 @@
 #include <condition_variable>
 #include <deque>
 #include <leadscrew/realtime/passes_ahead.hpp>
+#include <leadscrew/realtime/stop_watch.hpp>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -11,8 +13,8 @@ namespace {
 
 class PassesAhead : public surfaces::PassSource {
  public:
-  explicit PassesAhead(surfaces::Passes& passes)
-      : passes_(passes), maker_([this](const std::stop_token& stop) { make(stop); }) {}
+  PassesAhead(surfaces::Passes& passes, std::atomic<double>& seconds)
+      : passes_(passes), seconds_(seconds), maker_([this](const std::stop_token& stop) { make(stop); }) {}
 
   std::optional<surfaces::Pass> next() override {
     std::unique_lock lock(mutex_);
@@ -33,8 +35,10 @@ class PassesAhead : public surfaces::PassSource {
     while (goes_on) {
       std::optional<surfaces::Pass> pass = passes_.next();
       std::unique_lock lock(mutex_);
-      goes_on = pass.has_value() && changed_.wait(lock, stop, [this] { return made_.size() < most_made; });
+      goes_on = pass.has_value() && changed_.wait(lock, stop, [this] { return made_.size() < most_made; }) &&
+                !stop.stop_requested();
       if (goes_on) made_.push_back(std::move(*pass));
+      if (!goes_on) seconds_ += SystemClocks::processor_seconds();  // of a thread that has made nothing else
       is_done_ = !goes_on;
       lock.unlock();
       changed_.notify_all();
@@ -42,6 +46,7 @@ class PassesAhead : public surfaces::PassSource {
   }
 
   surfaces::Passes& passes_;
+  std::atomic<double>& seconds_;
   std::mutex mutex_;
   std::condition_variable_any changed_;
   std::deque<surfaces::Pass> made_;
@@ -51,8 +56,12 @@ class PassesAhead : public surfaces::PassSource {
 
 }  // namespace
 
-std::unique_ptr<surfaces::PassSource> passes_ahead(surfaces::Passes& passes) {
-  return std::make_unique<PassesAhead>(passes);
+std::unique_ptr<surfaces::PassSource> passes_ahead(surfaces::Passes& passes, std::atomic<double>& seconds) {
+  try {
+    return std::make_unique<PassesAhead>(passes, seconds);
+  } catch (const std::system_error&) {
+    return nullptr;
+  }
 }
 
 }  // namespace leadscrew::realtime

@@ -22,6 +22,11 @@ double number_in(const json::Json& row, std::string_view key) {
   return value == nullptr ? nothing : value->number().value_or(nothing);
 }
 
+std::int64_t integer_in(const json::Json& row, std::string_view key) {
+  const json::Json* const value = row.find(key);
+  return value == nullptr ? 0 : value->integer().value_or(0);
+}
+
 /// What was not kept, in a row that says so.
 std::string broken_in(const json::Json& row) {
   if (std::string broken = text_in(row, "broken"); !broken.empty()) return broken;
@@ -54,7 +59,7 @@ void ResultsPage::observe_case(const json::Json& row, const std::string& name) {
   ++kind.broken;
   if (broken_.size() >= most_listed) return void(++more_broken_);
   const std::string code = text_in(row, "code");
-  broken_.push_back({fmt::format("seed {}, number {} ({})", number_in(row, "seed"), number_in(row, "number"), name),
+  broken_.push_back({fmt::format("seed {}, number {} ({})", integer_in(row, "seed"), integer_in(row, "number"), name),
                      code.empty() ? broken_in(row) : code + ": " + text_in(row, "message")});
 }
 

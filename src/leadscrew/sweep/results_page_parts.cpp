@@ -116,9 +116,15 @@ std::string ResultsPage::written(const Summary& summary, const std::string& fold
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>",
       escaped(folder), " – sweep</title>\n<style>", page_css, "</style>\n</head>\n<body>\n<main>\n",
       "<p class=\"over\">leadscrew sweep</p>\n<h1>", escaped(folder), "</h1>\n");
-  const auto broken = static_cast<std::int64_t>(broken_.size()) + more_broken_;
-  put(page, "<p class=\"verdict ", broken == 0 ? "good\">Every motion keeps every limit and tolerance." : "bad\">",
-      broken == 0 ? std::string() : counted(broken) + " did not keep what is promised.",
+  // Variants with changed limits count, though they are not listed.
+  const std::int64_t broken = std::max(static_cast<std::int64_t>(broken_.size()) + more_broken_, summary.not_kept);
+  put(page, "<p class=\"verdict",
+      broken > 0         ? " bad\">"
+      : summary.kept > 0 ? " good\">"
+                         : "\">",
+      broken > 0         ? readable(static_cast<double>(broken), 12) + " of the tasks did not keep what is promised."
+      : summary.kept > 0 ? std::string("Every motion keeps every limit and tolerance.")
+                         : std::string("No program has run."),
       summary.rows == summary.tasks ? "" : " Not all is done yet.", "</p>\n<dl class=\"figures\">\n");
   const std::pair<std::string_view, std::int64_t> counts[] = {
       {"tasks", summary.tasks},       {"with a result", summary.rows}, {"kept", summary.kept},
