@@ -232,7 +232,7 @@ def check_recordings(schemas):
     (beside / "bin").mkdir(parents=True)
     (beside / "share/leadscrew").mkdir(parents=True)
     installed = shutil.copy(command, beside / "bin/leadscrew")
-    begin, end = '<script type="application/json" id="recording">', "</script>"
+    begin, end = '<script type="application/json" id="recording" data-schema="leadscrew.recording/1">', "</script>"
     (beside / "share/leadscrew/program.html").write_text(f"<title>page</title>{begin}{end}<p>behind</p>\n", encoding="utf-8")
     (scratch / "marks.ngc").write_text("(</script><!-- & )\nG21 G90 G43.1 Z3\nG1 X1 F600\nG0 X0\nM2\n")
     for words, status in ((["marks.ngc"], 0), ([examples / "03-arcs-in-three-planes.ngc"], 0),
@@ -249,12 +249,16 @@ def check_recordings(schemas):
         check(recording["text"] == (scratch / words[0]).read_text(encoding="utf-8"), f"the page of {words[0]} has another text")
         check_samples(recording, words[0])
 
-
     # Of a program that the page has no room for, the report is the command's own page.
     (scratch / "long.ngc").write_text("G21 G90\n" + "(no room for it)\n" * 270_000 + "G1 X1 F600\nM2\n")
     subprocess.run([installed, "run", "long.ngc", "--report", "page.html", "--quiet"], cwd=scratch, check=True)
     text = (scratch / "page.html").read_text(encoding="utf-8")
     check(begin not in text and "Keeps every limit" in text, "a program of more than 4 MiB is in the page")
+    # Nor where the page is one of another version, that knows other recordings.
+    page = beside / "share/leadscrew/program.html"
+    page.write_text(page.read_text(encoding="utf-8").replace("leadscrew.recording/1", "leadscrew.recording/0"), encoding="utf-8")
+    subprocess.run([installed, "run", "marks.ngc", "--report", "page.html", "--quiet"], cwd=scratch, check=True)
+    check("Keeps every limit" in (scratch / "page.html").read_text(encoding="utf-8"), "a page of another version has the recording")
 
 
 def check_samples(recording, program):

@@ -7,7 +7,11 @@ namespace leadscrew::results {
 
 namespace {
 
-constexpr std::string_view place = "<script type=\"application/json\" id=\"recording\">";
+/// Of a page that knows recordings as this command writes them: one of another version may lie where this one's should.
+std::string place() {
+  return "<script type=\"application/json\" id=\"recording\" data-schema=\"" + std::string(recording_schema) + "\">";
+}
+
 constexpr std::int64_t largest_page = 64 << 20;  // bytes
 
 /// As JSON that cannot end the element it stands in: a < in a text is written by its number.
@@ -71,9 +75,9 @@ std::optional<std::string> workbench_page() {
 }
 
 std::optional<std::string> with_recording(std::string page, const json::Json& recording) {
-  const std::size_t at = page.find(place);
+  const std::size_t at = page.find(place());
   if (at == std::string::npos) return std::nullopt;
-  page.insert(at + place.size(), embedded(recording));
+  page.insert(at + place().size(), embedded(recording));
   return page;
 }
 
