@@ -17,9 +17,9 @@ RUNS = 7
 
 
 def program_of(pattern):
-    """Example 17 with ridges of 0.6 µm: 188 passes of a ball that leans, by a pattern of G6.5."""
+    """Example 17 with ridges of 0.5 µm: some two hundred passes of a ball that leans, by a pattern of G6.5."""
     with open(os.path.join(ROOT, "examples/17-patch-leaning.ngc"), encoding="utf-8") as file:
-        text, count = re.subn(r"^(G6\.5 .*)H0\.1(.*)$", rf"\1H0.0006\2 S{pattern}", file.read(), flags=re.MULTILINE)
+        text, count = re.subn(r"^(G6\.5 .*)H0\.1(.*)$", rf"\1H0.0005\2 S{pattern}", file.read(), flags=re.MULTILINE)
     if count != 1:
         sys.exit("examples/17-patch-leaning.ngc has no block G6.5 with H0.1")
     return text
