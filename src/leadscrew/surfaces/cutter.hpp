@@ -62,8 +62,8 @@ struct Orientation {
     leaned,  ///< O = cos α (cos β n − sin β b) + sin α f: α forward along the pass, β sideways
   };
   Rule rule = Rule::fixed;
-  Vector axis = {0, 0,
-                 1};  ///< a unit vector: of fixed along X, Y, Z, of leaned along f, b, n; of normal without meaning
+  /// A unit vector: of fixed along X, Y and Z, of leaned along f, b and n; of normal without meaning.
+  Vector axis = {0, 0, 1};
 
   /// Leaned by α and β, radians, −π/2 < each < π/2.
   static Orientation leaning(double lead, double tilt) {
