@@ -34,6 +34,9 @@ double trapezoid(double length, double v, double a) {
   return v * v / a <= length ? length / v + v / a : 2 * std::sqrt(length / a);
 }
 
+/// What it takes less to pass over a corner at 1e-4·j·T², where words do not show it, than to stop: twice that speed over a.
+constexpr double over_corner = 2 * 1e-4 * 20000 * 1e-6 / 1000;
+
 // Full circle, R = 10 mm, v ≤ 200: the velocity-and-acceleration optimum as published.
 struct Circle {
   double feed, acceleration, time;
@@ -150,7 +153,8 @@ TEST(TimeBound, OfACuspIsThatOfItsTwoBranches) {
   ASSERT_EQ(path.size(), 2u);
   const machine::Machine machine = mill(1000);
   const double whole = bound(path, machine), first = bound({path[0]}, machine), second = bound({path[1]}, machine);
-  EXPECT_NEAR(whole, first + second, 1e-9);
+  EXPECT_LE(whole, first + second);
+  EXPECT_GE(whole, first + second - over_corner);
   EXPECT_NEAR(first, second, 1e-4 * first);
   EXPECT_GT(first, trapezoid(geometry::length(std::get<toolpath::Piece>(path[0]).curve), 50, 1000 * std::sqrt(2.0)));
 }
@@ -182,9 +186,23 @@ TEST(TimeBound, OfALineIsATrapezoid) {
 TEST(TimeBound, StopsAtCornersAndDwells) {
   const auto there = line_piece({}, {10}, 50), up = line_piece({10}, {10, 10}, 50);
   const double one = trapezoid(10, 50, 1000);
-  EXPECT_NEAR(bound({there, up}, mill(1000)), 2 * one, 1e-12);
+  const double corner = bound({there, up}, mill(1000));
+  EXPECT_LE(corner, 2 * one);
+  EXPECT_GE(corner, 2 * one - over_corner);
   EXPECT_NEAR(bound({there, toolpath::Dwell{{10}, 0.3, {}}, line_piece({10}, {20}, 50)}, mill(1000)), 2 * one + 0.3,
               1e-12);
+}
+
+// A path read back from words has kinks of its own: motion may run over what words cannot show (random campaign, seed 1, number
+// 56337).
+TEST(TimeBound, PassesOverAKinkThatWordsDoNotShow) {
+  const machine::Machine machine = mill(1000);
+  const double feed = 0.5, most = 1e-4 * 20000 * 1e-6 / feed;
+  for (const double kink : {2e-6, 0.9 * most, 1.1 * most, 4 * most}) {
+    const double passed = bound({line_piece({}, {10}, feed), line_piece({10}, {20, 10 * kink}, feed)}, machine);
+    const double speed = std::min(feed, feed * most / kink), lost = (feed - speed) * (feed - speed) / (1000 * feed);
+    EXPECT_NEAR(passed, trapezoid(20, feed, 1000) + lost, 1e-9 + 1e-3 * lost) << kink;
+  }
 }
 
 TEST(TimeBound, PassesThroughSmoothJoints) {

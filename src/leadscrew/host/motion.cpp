@@ -105,7 +105,7 @@ base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, const
 
 base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, PlanNotes& notes) const {
   const constraints::Constraints constraints(machine_);
-  planner::TimeBound bound(constraints);
+  planner::TimeBound bound(machine_);
   notes.summary = {};
   source.tell_tool();
   source.on_element = [&](const toolpath::Element& element) { bound.push(element); };

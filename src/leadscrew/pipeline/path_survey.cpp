@@ -10,7 +10,7 @@ PathSurvey::PathSurvey(base::Borrowed<machine::Machine> machine, const geometry:
       constraints_(machine_),
       feeds_(constraints_),
       builder_(machine, toolpath::tables_for_times),
-      bound_(constraints_) {}
+      bound_(machine_) {}
 
 std::optional<FeedExcess> PathSurvey::observe(const gcode::Move& move) {
   builder_.push(move);

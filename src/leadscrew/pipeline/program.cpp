@@ -29,7 +29,7 @@ Program::Program(gcode::ByteSource source, base::Borrowed<machine::Machine> mach
     : machine_(machine),
       constraints_(machine_),
       source_(std::move(source), machine, tools, options, std::move(diagnostics)),
-      bound_(constraints_),
+      bound_(machine_),
       interpolator_(machine_.period, options.start) {
   watch_path();
 }
@@ -38,7 +38,7 @@ Program::Program(MoveInput moves, base::Borrowed<machine::Machine> machine, cons
     : machine_(machine),
       constraints_(machine_),
       source_(std::move(moves), machine, start),
-      bound_(constraints_),
+      bound_(machine_),
       interpolator_(machine_.period, start) {
   watch_path();
 }

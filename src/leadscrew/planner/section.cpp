@@ -104,17 +104,29 @@ std::size_t Section::borders(double from, double to) const {
   return count + (last > first ? last - first : 0);
 }
 
+double greatest_speed_over_kink(const geometry::PointJet& leaving, const geometry::PointJet& entering,
+                                const machine::Machine& machine) {
+  const double period = machine.period.seconds();
+  double speed = std::numeric_limits<double>::infinity();
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const double kink = std::abs(leaving[base::index(axis)].first - entering[base::index(axis)].first);
+    const double step = negligible_jerk * machine.limits(axis).jerk * period * period;
+    if (kink * speed > step) speed = step / kink;
+  }
+  return speed;
+}
+
 bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,
                   const machine::Machine& machine) {
+  if (speed > greatest_speed_over_kink(leaving, entering, machine)) return false;
   const double period = machine.period.seconds();
   for (const base::Axis axis : base::all_axes) {
     if (!machine.has(axis)) continue;
     const std::size_t i = base::index(axis);
-    const double kink = std::abs(leaving[i].first - entering[i].first);
     const double jump = std::abs(leaving[i].second - entering[i].second);
-    if (kink == 0 && jump == 0) continue;
-    const double negligible = negligible_jerk * machine.limits(axis).jerk;
-    if (kink * speed > negligible * period * period || jump * speed * speed > negligible * period) return false;
+    if (jump == 0) continue;
+    if (jump * speed * speed > negligible_jerk * machine.limits(axis).jerk * period) return false;
   }
   return true;
 }

@@ -83,10 +83,15 @@ inline double squared(double v) {
   return v * v;
 }
 
-/// May motion run from a piece that ends with `leaving` into one that begins with `entering` without a stop? The
-/// derivatives must agree as closely as words at the machine's period can show: a kink Δq′ is a step Δq′·v of an axis'
-/// velocity, a jump Δq″ one of Δq″·v² of its acceleration; over one period they look like a jerk of Δq′·v/T² and
-/// Δq″·v²/T, which must stay below 1e-4 of its limit. `speed` is the greatest at the joint.
+/// The greatest speed, units/s, at which words at the machine's period do not show that a piece ends with `leaving` and the next
+/// begins with `entering`, by their first derivatives; infinite where these agree. A kink Δq′ is a step Δq′·v of an axis' velocity,
+/// which over one period T looks like a jerk of Δq′·v/T²; that must stay below 1e-4 of its limit.
+double greatest_speed_over_kink(const geometry::PointJet& leaving, const geometry::PointJet& entering,
+                                const machine::Machine& machine);
+
+/// May motion run from one piece into the next without a stop, at `speed`, the greatest there? By their kink as above, and where
+/// second derivatives jump by Δq″, the step Δq″·v² of an axis' acceleration must look like a jerk, Δq″·v²/T, no greater than
+/// that.
 bool runs_through(const geometry::PointJet& leaving, const geometry::PointJet& entering, double speed,
                   const machine::Machine& machine);
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <leadscrew/planner/section.hpp>
 #include <leadscrew/planner/time_bound.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
@@ -68,10 +69,11 @@ void TimeBound::push(const toolpath::Element& element) {
   const auto* piece = std::get_if<toolpath::Piece>(&element);
   if (!piece) return;
   const double negligible = piece->transformation ? negligible_tip_kink : negligible_kink;
-  if (held_ && !is_smooth(leaving_, piece->axes().jets(0), negligible)) {
-    stop();
-  } else {
-    place_held(false);
+  if (held_) {
+    const geometry::PointJet entering = piece->axes().jets(0);
+    const bool is_kink = !is_smooth(leaving_, entering, negligible);
+    place_held(is_kink);
+    if (is_kink) slow_down_to(greatest_speed_over_kink(leaving_, entering, machine_));
   }
   held_ = *piece;
   leaving_ = piece->axes().jets(piece->axes().length());
@@ -217,6 +219,12 @@ void TimeBound::add_squares(const Knot& begin, const Knot& end, Interval& interv
     if (square.by_end == 0) limit(interval.x_max, square.by_begin, square.change);
     if (square.by_begin > 0 && square.by_end > 0) interval.squares[interval.square_count++] = square;
   }
+}
+
+/// Where what is placed ends.
+void TimeBound::slow_down_to(double speed) {
+  double& x_end_max = waiting_.back().x_end_max;
+  x_end_max = std::min(x_end_max, speed * speed);
 }
 
 void TimeBound::settle_first_half() {

@@ -17,7 +17,7 @@
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x ≤ x_i, at most K_{i+1}
 //
 // Where an axis turns back, q′ = 0, only the curve asks something of it, |q″|x ≤ a (a zero-inertia point: Pfeiffer & Johanni,
-// 1987): there is a knot at each. Time is that of the fastest way between the two speeds. On lines that is exact with one
+// 1987): there is a knot at each. Over a kink too small for words to show motion goes on (greatest_speed_over_kink).  Time is that of the fastest way between the two speeds. On lines that is exact with one
 // interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it. Between
 // two knots x is taken along a chord, which on curves makes the bound up to 2e-5 of itself higher than the least time.
 
@@ -34,7 +34,7 @@ namespace leadscrew::planner {
 /// taken as passable at full speed, which keeps the result a lower bound.
 class TimeBound {
  public:
-  explicit TimeBound(const constraints::Constraints& constraints) : constraints_(constraints) {}
+  explicit TimeBound(const machine::Machine& machine) : constraints_(machine), machine_(machine) {}
 
   void push(const toolpath::Element& element);
   /// No more elements will come.
@@ -74,6 +74,7 @@ class TimeBound {
   void place_held(bool ends_at_rest);
   void add_straight(const geometry::Line& line, const toolpath::Piece& piece);
   void add_curved(const toolpath::Piece& piece, bool ends_at_rest);
+  void slow_down_to(double speed);
   void settle_first_half();
   void stop();
   void settle(std::size_t count, double x_beyond);
@@ -92,6 +93,7 @@ class TimeBound {
   static void add_squares(const Knot& begin, const Knot& end, Interval& interval);
 
   constraints::Constraints constraints_;
+  machine::Machine machine_;
   std::optional<toolpath::Piece> held_;  ///< the last piece, until it is known how it ends
   std::vector<Interval> waiting_;
   bool begins_at_rest_ = true;    ///< what comes next
