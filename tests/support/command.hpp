@@ -213,7 +213,10 @@ class Running {
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
 
-  void send(int signal) const { ::kill(process_, signal); }
+  /// Nothing where it has ended.
+  void send(int signal) const {
+    if (process_ > 0) ::kill(process_, signal);
+  }
   /// To the one process that it has started.
   void send_to_child(int signal) const {
     std::ifstream children("/proc/" + std::to_string(process_) + "/task/" + std::to_string(process_) + "/children");

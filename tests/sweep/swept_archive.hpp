@@ -26,9 +26,9 @@ class SweptArchive {
     return leadscrew(folder, words(out, std::move(more)));
   }
 #ifdef LEADSCREW_MPIRUN
-  /// Of mpirun, the command by its absolute path.
+  /// Of mpirun, with the command that tests of it run.
   std::vector<std::string> ranked_words(const std::string& out, const std::string& ranks) const {
-    std::vector<std::string> all = {"-n", ranks, "--oversubscribe", "--allow-run-as-root", LEADSCREW_COMMAND};
+    std::vector<std::string> all = {"-n", ranks, "--oversubscribe", "--allow-run-as-root", Surroundings().command};
     const auto own = words(out);
     all.insert(all.end(), own.begin(), own.end());
     return all;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "swept_archive.hpp"
@@ -15,27 +16,54 @@ void expect_whole(const SweptArchive& archive, const Outcome& last, const std::s
   EXPECT_EQ(archive.lines(out), archive.tasks) << "a task was lost or done twice";
 }
 
-/// Kills the command, or one of its processes, at random instants, and starts it again until it is done.
+/// Waits for the instant of a kill: any of the first so many milliseconds where `is_any`, else when a random number of the tasks
+/// that are left have been done, and up to a task's time more. So many kills are to come, this one among them.
+void await_instant(const SweptArchive& archive, const std::string& out, Running& running, bool is_any, int milliseconds,
+                   int kills, std::mt19937& random) {
+  if (is_any) {
+    std::this_thread::sleep_for(std::chrono::microseconds(random() % (1000U * static_cast<unsigned>(milliseconds))));
+    return;
+  }
+  const int before = archive.lines(out), left = archive.tasks - before;
+  const auto most = static_cast<unsigned>(std::max(1, left / (kills + 1)));
+  const int awaited = before + 1 + static_cast<int>(random() % most);
+  ASSERT_TRUE(eventually([&] { return archive.lines(out) >= awaited || running.has_ended(); }));
+  std::this_thread::sleep_for(std::chrono::microseconds(random() % 5'000));
+}
+
+/// Is the work half done after a kill?
+bool is_half_done(const SweptArchive& archive, const std::string& out) {
+  const int lines = archive.lines(out);
+  return 0 < lines && lines < archive.tasks;
+}
+
+/// Kills the command, or one of its processes, at random instants, and starts it again until it is done: every other instant
+/// falls between two tasks' ends.
 void kill_and_start_again(const SweptArchive& archive, const std::string& out, int kills, unsigned seed) {
   std::mt19937 random(seed);
+  int struck = 0;
   for (int k = 0; k < kills; ++k) {
     Running running(archive.folder, archive.words(out, {"--processes", "2"}));
-    std::this_thread::sleep_for(std::chrono::microseconds(random() % 60'000));
-    if (k % 2 == 0) {
+    await_instant(archive, out, running, k % 2 == 1, 60, kills - k, random);
+    bool is_sent = !running.has_ended();
+    if (k / 2 % 2 == 0) {
       running.send(SIGKILL);
     } else {
       try {
         running.send_to_child(SIGKILL);
       } catch (const std::runtime_error&) {  // has none, or has ended
+        is_sent = false;
       }
     }
     running.wait();
+    struck += is_sent && is_half_done(archive, out) ? 1 : 0;
   }
+  EXPECT_GE(struck, kills / 4) << "of " << kills << " kills, seed " << seed;
   expect_whole(archive, archive.run(out), out);
 }
 
 TEST(DisturbedSweep, LosesNothingAndDoesNothingTwiceWhenKilled) {
-  const SweptArchive archive(12);
+  const SweptArchive archive(20);
   ASSERT_EQ(archive.run("whole").status, 0);
   kill_and_start_again(archive, "killed", 4, 1980);
   EXPECT_EQ(archive.rows("killed"), archive.rows("whole"));
@@ -111,24 +139,29 @@ std::vector<pid_t> children_of(pid_t process) {
   return children;
 }
 
-/// Kills mpirun, or one of its ranks, at random instants of their time, and starts them again until all is done.
+/// Kills mpirun, or one of its ranks, at random instants, and starts them again until all is done: every other instant falls
+/// between two tasks' ends.
 void kill_ranks_and_start_again(const SweptArchive& archive, const std::string& ranks, const std::string& out,
                                 int kills, unsigned seed) {
   std::mt19937 random(seed);
+  int struck = 0;
   for (int k = 0; k < kills; ++k) {
     std::vector<std::string> words = {"-c", "echo $$ > launcher; exec \"$0\" \"$@\"", LEADSCREW_MPIRUN};
     const auto ranked = archive.ranked_words(out, ranks);
     words.insert(words.end(), ranked.begin(), ranked.end());
     Running running(archive.folder, words, {.command = "/bin/sh"});
-    std::this_thread::sleep_for(std::chrono::milliseconds(200 + random() % 800));
-    if (k % 2 == 0) {
+    await_instant(archive, out, running, k % 2 == 1, 1000, kills - k, random);
+    bool is_sent = !running.has_ended();
+    if (k / 2 % 2 == 0) {
       running.send(SIGKILL);
     } else {
       const auto children = children_of(static_cast<pid_t>(std::stol("0" + archive.folder.read("launcher"))));
-      if (!children.empty()) ::kill(children[random() % children.size()], SIGKILL);
+      is_sent = is_sent && !children.empty() && ::kill(children[random() % children.size()], SIGKILL) == 0;
     }
     running.wait();
+    struck += is_sent && is_half_done(archive, out) ? 1 : 0;
   }
+  EXPECT_GE(struck, kills / 4) << "of " << kills << " kills, seed " << seed;
   expect_whole(archive, archive.ranked(out, ranks), out);
 }
 
@@ -141,8 +174,55 @@ TEST(DisturbedSweep, TellsOfAProgramThatChangesMeanwhileAndDoesTheRestOnRanks) {
 TEST(DisturbedSweep, LosesNothingAndDoesNothingTwiceWhenRanksAreKilled) {
   const SweptArchive archive(40);
   ASSERT_EQ(archive.run("whole").status, 0);
-  kill_ranks_and_start_again(archive, "2", "killed", 3, 1980);
+  kill_ranks_and_start_again(archive, "2", "killed", 4, 1980);
   EXPECT_EQ(archive.rows("killed"), archive.rows("whole"));
+}
+
+/// The second rank may write no file of more than a few lines; the first has room. They talk over the network, as those of two
+/// computers do: memory that they share would be a file as well.
+TEST(DisturbedSweep, TellsOfAFullDiskOfARankAndDoesTheRest) {
+  const SweptArchive archive(40);
+  ASSERT_EQ(archive.run("whole").status, 0);
+  const auto own = archive.ranked_words("full", "1");
+  std::vector<std::string> words = {"--mca", "btl", "tcp,self", "--mca", "osc", "pt2pt"};
+  words.insert(words.end(), own.begin(), own.end());
+  words.insert(words.end(), {":", "-n", "1", "/bin/sh", "-c", "ulimit -f 4; exec \"$0\" \"$@\""});
+  words.insert(words.end(), std::ranges::find(own, Surroundings().command), own.end());
+  const Outcome full = leadscrew(archive.folder, words, {.command = LEADSCREW_MPIRUN});
+  EXPECT_EQ(full.status, 4) << full.errors;
+  EXPECT_TRUE(contains(full.errors, "[io-write]")) << full.errors;
+  EXPECT_EQ(full.json()["failed"], 1);
+  EXPECT_EQ(full.json()["done"], archive.tasks - 1);
+  const Outcome after = archive.ranked("full", "2");
+  EXPECT_EQ(after.json()["done"], 1);
+  expect_whole(archive, after, "full");
+  EXPECT_EQ(archive.rows("full"), archive.rows("whole"));
+}
+
+/// A file system of so many bytes that only part of the lines fit, then a larger one, in a name space of its own.
+TEST(DisturbedSweep, GoesOnUnderMpiWhenAFullDiskHasRoomAgain) {
+  const SweptArchive archive(40);
+  const auto in_own_space = [&](const std::string& script, const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"-rm", "/bin/sh", "-c", script};
+    words.insert(words.end(), more.begin(), more.end());
+    return leadscrew(archive.folder, words, {.command = "/usr/bin/unshare"});
+  };
+  std::filesystem::create_directory(archive.folder.path() / "small");
+  if (in_own_space("mount -t tmpfs -o size=64k none small", {}).status != 0)
+    GTEST_SKIP() << "this computer's users may not mount";
+  ASSERT_EQ(archive.run("whole").status, 0);
+  std::vector<std::string> words = archive.ranked_words("small/out", "2");
+  words.insert(words.begin(), LEADSCREW_MPIRUN);
+  const Outcome both = in_own_space(
+      "mount -t tmpfs -o size=64k none small; \"$0\" \"$@\" > full.json; echo $? > full.status; "
+      "mount -o remount,size=16m small; \"$0\" \"$@\"; status=$?; cp -r small/out kept; exit $status",
+      words);
+  EXPECT_EQ(archive.folder.read("full.status"), "4\n");
+  EXPECT_TRUE(contains(both.errors, "[io-write]")) << both.errors;
+  EXPECT_GT(both.json()["done_before"], 0);
+  EXPECT_GT(both.json()["done"], 0);
+  expect_whole(archive, both, "kept");
+  EXPECT_EQ(archive.rows("kept"), archive.rows("whole"));
 }
 
 TEST(LongKilledRanks, LoseNothingAndDoNothingTwice) {

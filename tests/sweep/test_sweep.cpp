@@ -53,10 +53,9 @@ TEST(Sweep, SaysWhatIsWrongWithItsWords) {
 
 TEST(Sweep, SaysThatThereIsNoMpiWhereSeveralProcessesWereStarted) {
   const Folder folder;
-  const std::filesystem::path copy = folder.path() / "leadscrew";
-  std::filesystem::copy(LEADSCREW_COMMAND, copy);
-  const Outcome outcome = leadscrew(folder, {"sweep", "--random", "2", "--out", "out"},
-                                    {.command = copy, .environment = {"OMPI_COMM_WORLD_SIZE=2"}});
+  Surroundings alone = without_page(folder);
+  alone.environment = {"OMPI_COMM_WORLD_SIZE=2"};
+  const Outcome outcome = leadscrew(folder, {"sweep", "--random", "2", "--out", "out"}, alone);
   EXPECT_EQ(outcome.status, 3);
   EXPECT_TRUE(contains(outcome.errors, "[sweep-mpi]")) << outcome.errors;
 }
