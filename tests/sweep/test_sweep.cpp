@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "swept_archive.hpp"
 
 namespace leadscrew::cli::testing {
@@ -71,6 +73,35 @@ TEST(Sweep, MakesTheSameRowsUnderMpi) {
     EXPECT_EQ(archive.rows(ranks), archive.rows("alone"));
     EXPECT_EQ(archive.lines(ranks), archive.tasks);
   }
+}
+
+/// Of the time from the first task of a shard to its last the share that is between two tasks; the largest of all shards.
+double longest_waiting(const Folder& folder, const std::string& out) {
+  double longest = 0;
+  for (const auto& shard : std::filesystem::directory_iterator(folder.path() / out / "shards")) {
+    std::ifstream file(shard.path());
+    double first = 0, last = 0, working = 0;
+    for (std::string line; std::getline(file, line);) {
+      const Json spent = Json::parse(line)["spent"];
+      if (working == 0) first = spent["begin"];
+      last = spent["end"];
+      working += last - spent["begin"].get<double>();
+    }
+    longest = std::max(longest, 1 - working / (last - first));
+  }
+  return longest;
+}
+
+TEST(Sweep, ClaimsOverANetworkDoNotWaitForTheFirstRanksTasks) {
+  const Folder folder;
+  std::vector<std::string> words = {"--mca", "btl", "tcp,self", "--mca", "osc", "pt2pt"};
+  words.insert(words.end(), {"-n", "2", "--oversubscribe", "--allow-run-as-root", Surroundings().command});
+  words.insert(words.end(), {"sweep", "--out", "out", "--quiet", "--programs"});
+  for (int k = 0; k < 16; ++k)  // some 100 ms each
+    words.push_back(folder.write("p" + std::to_string(k) + ".ngc", long_program(1500 + k)));
+  const Outcome outcome = leadscrew(folder, words, {.command = LEADSCREW_MPIRUN});
+  EXPECT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_LT(longest_waiting(folder, "out"), 0.1);
 }
 #endif
 
