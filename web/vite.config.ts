@@ -4,11 +4,11 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { defineConfig, type Plugin } from "vite";
+import { framed, pages, type PageName } from "./shell";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 const built = here("../build/web");
-const pages = { lesson: "index.html", compare: "compare.html", words: "words.html", program: "program.html" } as const;
-type Page = keyof typeof pages;
+const names = Object.keys(pages) as PageName[];
 
 /** leadscrew:NAME.wasm as an address or as text; leadscrew:engine, planner and scene as the one or the other way to open them. */
 function engine(isFile: boolean): Plugin {
@@ -38,6 +38,20 @@ function engine(isFile: boolean): Plugin {
   };
 }
 
+/** Around the scripts that a page's file holds. */
+function shell(): Plugin {
+  return {
+    name: "leadscrew-shell",
+    transformIndexHtml: {
+      order: "pre",
+      handler: (scripts, { path }) => {
+        const name = names.find((each) => path.endsWith(pages[each].file));
+        return name === undefined ? scripts : framed(name, scripts);
+      },
+    },
+  };
+}
+
 /** What a page may load: nothing but itself. The editor of programs writes its style into the page. */
 function policy(isFile: boolean): Plugin {
   const rules = (isProgram: boolean, plans: boolean): string[] => [
@@ -58,7 +72,7 @@ function policy(isFile: boolean): Plugin {
         tag: "meta",
         attrs: {
           "http-equiv": "Content-Security-Policy",
-          content: rules(path.endsWith(pages.program), !/(index|compare)\.html$/.test(path)).join("; "),
+          content: rules(path.endsWith(pages.program.file), !/(index|compare)\.html$/.test(path)).join("; "),
         },
         injectTo: "head-prepend",
       },
@@ -67,16 +81,17 @@ function policy(isFile: boolean): Plugin {
 }
 
 /** Script and style into the page itself. */
-function oneFile(name: Page): Plugin {
+function oneFile(name: PageName): Plugin {
   return {
     name: "leadscrew-one-file",
     enforce: "post",
     generateBundle(_, bundle) {
-      const page = bundle[pages[name]];
+      const own = pages[name].file;
+      const page = bundle[own];
       if (page?.type !== "asset") throw new Error("there is no page");
       let html = String(page.source);
       for (const [file, part] of Object.entries(bundle)) {
-        if (file === pages[name]) continue;
+        if (file === own) continue;
         if (part.type === "chunk") {
           const code = part.code.replace(/<\/script/g, "<\\/script");
           html = html
@@ -94,12 +109,12 @@ function oneFile(name: Page): Plugin {
 }
 
 export default defineConfig(({ mode }) => {
-  const file = mode in pages ? (mode as Page) : undefined;
+  const file = mode in pages ? (mode as PageName) : undefined;
   const isFile = file !== undefined;
-  const inputs: readonly Page[] = file === undefined ? ["lesson", "compare", "words", "program"] : [file];
+  const inputs = file === undefined ? names : [file];
   return {
     base: "./",
-    plugins: [engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],
+    plugins: [shell(), engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],
     worker: { format: isFile ? "iife" : "es" },
     server: { fs: { allow: [here("..")] } },
     build: {
@@ -109,7 +124,7 @@ export default defineConfig(({ mode }) => {
       modulePreload: false,
       chunkSizeWarningLimit: 4000,
       rollupOptions: {
-        input: inputs.map((name) => here(pages[name])),
+        input: inputs.map((name) => here(pages[name].file)),
         output: isFile ? { inlineDynamicImports: true } : {},
       },
     },

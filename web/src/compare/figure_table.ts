@@ -1,8 +1,8 @@
-// The figures of all lanes beside one another, and what a paper prints of the same.
+// The figures of lanes of reference pulses.
 
-import { fixed, html } from "../ui/dom";
+import { fixed } from "../ui/dom";
 import { figuresOf, rippleClocks, type LaneFigures } from "./figures";
-import { mark } from "./lane_forms";
+import { LaneTable, type Column, type LaneRow } from "./lane_table";
 import type { Drawn } from "./pictures";
 
 export interface Compared {
@@ -19,7 +19,7 @@ export interface Compared {
 /** Figures of a lane, and its time at the feed: NaN where the clock does not set that. */
 type Told = LaneFigures & { readonly time: number };
 
-const columns: readonly (readonly [string, string, (figures: Told) => string])[] = [
+const columns: readonly Column<Told>[] = [
   ["Clocks", "until here", ({ clocks }) => String(clocks)],
   ["Pulses", "clocks with a step", ({ pulses }) => String(pulses)],
   ["Clocks a pulse", "what a step costs", ({ clocks, pulses }) => (pulses > 0 ? fixed(clocks / pulses, 3) : "")],
@@ -45,63 +45,20 @@ const columns: readonly (readonly [string, string, (figures: Told) => string])[]
   ["End", "where it stands, BLU", ({ end }) => `(${end.join(", ")})`.replaceAll("-", "−")],
 ];
 
-export class FigureTable {
-  private readonly body = html("tbody");
-  readonly element = html(
-    "div",
-    { class: "figures", tabindex: 0, role: "region", "aria-label": "Figures of all methods" },
-    html(
-      "table",
-      {},
-      html("caption", { class: "hidden" }, "A row a method: its figures until this clock"),
-      html(
-        "thead",
-        {},
-        html(
-          "tr",
-          {},
-          html("th", { scope: "col" }, "Method"),
-          ...columns.map(([name, what]) => html("th", { scope: "col", title: what }, name)),
-        ),
-      ),
-      this.body,
-    ),
-  );
-  private rows: readonly string[][] = [];
+export function pulseTable(): LaneTable<Told> {
+  return new LaneTable("Figures of all methods", "conventions", columns);
+}
 
-  update(all: readonly Compared[], clock: number, feed: number): void {
-    this.rows = all.map(({ drawn, conventions, source, published, clocksPerBlu }) => {
-      const until = figuresOf(drawn.session, clock);
-      const figures = { ...until, time: clocksPerBlu > 0 && feed > 0 ? until.clocks / (clocksPerBlu * feed) : NaN };
-      const paper = published === "" ? "" : `${published} (${source})`;
-      return [drawn.title, conventions, ...columns.map(([, , of]) => of(figures)), paper];
-    });
-    this.body.replaceChildren(...this.rows.flatMap((row, i) => this.rowsOf(row, all[i]?.drawn.number ?? i)));
-  }
-
-  /** Of a lane, and below it the paper's. */
-  private rowsOf([title = "", conventions = "", ...cells]: readonly string[], number: number): HTMLElement[] {
-    const paper = cells.pop() ?? "";
-    const own = html(
-      "tr",
-      { "data-lane": number + 1 },
-      html(
-        "th",
-        { scope: "row" },
-        html("span", { class: "name" }, mark(number), title),
-        html("span", { class: "conventions" }, conventions),
-      ),
-      ...cells.map((cell) => html("td", {}, cell)),
-    );
-    if (paper === "") return [own];
-    const published = html("td", { colspan: columns.length }, paper);
-    return [own, html("tr", { class: "paper" }, html("th", { scope: "row" }, "Published"), published)];
-  }
-
-  csv(): string {
-    const quoted = (cell: string): string => (/[",\n]/.test(cell) ? `"${cell.replaceAll('"', '""')}"` : cell);
-    const head = ["method", "conventions", ...columns.map(([name]) => name.toLowerCase()), "published"];
-    const plain = this.rows.map((row) => row.map((cell) => quoted(cell.replaceAll("−", "-"))));
-    return `${[head, ...plain].map((row) => row.join(",")).join("\n")}\n`;
-  }
+/** Until a clock, at a feed in BLU/s. */
+export function rowOf(compared: Compared, clock: number, feed: number): LaneRow<Told> {
+  const { drawn, conventions, source, published, clocksPerBlu } = compared;
+  const until = figuresOf(drawn.session, clock);
+  const time = clocksPerBlu > 0 && feed > 0 ? until.clocks / (clocksPerBlu * feed) : NaN;
+  return {
+    number: drawn.number,
+    title: drawn.title,
+    detail: conventions,
+    told: { ...until, time },
+    published: published === "" ? "" : `${published} (${source})`,
+  };
 }
