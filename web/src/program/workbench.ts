@@ -1,16 +1,17 @@
-// The program's page: a text and a machine become a plan, and the clock walks along it.
+// The program's page: panels around one plan, and the clock that walks along it.
 
-import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
+import type { PlannerClient } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
-import type { Diagnostic, Gouge, Limits, Phase, Plan, Task } from "../engine/motion_types";
+import type { Diagnostic, Gouge, Limits, Phase, Plan } from "../engine/motion_types";
 import { sampleAt, timeOf, timeOfLine, toolOfLine, type ToolAt } from "../engine/path";
-import { diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
+import type { Recording } from "../engine/recording";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
 import { Editor } from "./editor";
 import type { Example } from "./examples";
 import { FiguresPanel, LossTable } from "./figures";
+import { FilesPanel } from "./files_panel";
 import { GougePanel } from "./gouge_panel";
 import { JudgedPanel } from "./judged";
 import { LivePanel, type LiveTexts } from "./live_panel";
@@ -20,19 +21,15 @@ import { Playback } from "./playback";
 import { Plots } from "./plots";
 import { PathPanel } from "./path_panel";
 import { ProgramPanel } from "./program_panel";
-import { commandOf, copied, fromLink, isAsBegun, machineFile, toLink, type Settings } from "./settings";
+import { Planning, type End } from "./planning";
 import { Progress } from "./progress";
-
-const mostSamples = 1_000_000;
-const typingPause = 250; // ms
+import { machineFile, type Settings } from "./settings";
 
 export class Workbench implements Mode {
   readonly element: HTMLElement;
   private plan: Plan | undefined;
   private sample = 0;
   private line = 0;
-  private runs = 0;
-  private typing = 0;
   private linkTimer = 0;
   private followed: { readonly plan: Plan; readonly line: number; readonly tool: ToolAt } | undefined;
   private isNewText = true;
@@ -51,7 +48,7 @@ export class Workbench implements Mode {
   });
   private readonly loops = new LoopPanel({
     follow: async (options) => {
-      const slides = await unlessCancelled(this.planner.slides(this.task, options));
+      const slides = await this.planning.slides(options);
       this.progress.rest("");
       return slides;
     },
@@ -60,37 +57,37 @@ export class Workbench implements Mode {
       this.keepLink();
     },
   });
-  private readonly progress = new Progress(() => this.cancel());
+  private readonly progress = new Progress(() => this.planning.cancel());
   /** Where a machine is driven. */
   private readonly live = LivePanel.ofPage({
     began: (machine, texts) => void this.showDriven(machine, texts),
     moved: (machine, sample) => this.follow(machine, sample),
   });
   private readonly judged: JudgedPanel | undefined;
-  private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
-  private readonly commandNote = html("p", { class: "note" });
+  private readonly files = new FilesPanel({
+    trace: async () => (this.plan === undefined ? undefined : await this.planning.trace()),
+    svg: () => this.path.view.svgText(),
+    png: () => this.path.view.pngBlob(),
+  });
 
   /** With what the command has recorded, where it has. */
   static async open(planner: PlannerClient, recording?: Recording): Promise<Workbench> {
-    const [settings, machine] = await fromLink(location.hash, planner.limits, recording);
-    return new Workbench(planner, machine, settings, recording);
+    return new Workbench(planner, await Planning.open(planner, recording));
   }
 
   private constructor(
-    private readonly planner: PlannerClient,
-    /** The machine of the settings, as it is without changes. */
-    private machine: Limits,
-    private settings: Settings,
-    private readonly recording: Recording | undefined,
+    planner: PlannerClient,
+    private readonly planning: Planning,
   ) {
+    const { recording } = planning;
     if (recording !== undefined) {
       this.judged = new JudgedPanel(recording, (line, time) => this.goTo(line, time));
       document.title = `${recording.name}: motion report`;
     }
-    this.editor = new Editor(settings.text, {
-      changed: (text) => this.typed(text),
+    this.editor = new Editor(this.settings.text, {
+      changed: (text) => planning.typed(text),
       pointed: (line) => this.pointed(line),
-      explain: async (code) => (planner.isBusy ? "" : ((await unlessCancelled(planner.explain(code))) ?? "")),
+      explain: (code) => planning.explain(code),
     });
     this.program = new ProgramPanel(this.editor, {
       open: (name, text) => this.openText(name, text),
@@ -126,14 +123,40 @@ export class Workbench implements Mode {
         this.losses.element,
         this.loops.element,
         this.gouges.element,
-        this.exportsPanel(),
+        this.files.element,
       ),
     );
+    planning.events = this.planningEvents();
     planner.onProgress = (phase: Phase, share: number) => this.progress.show(phase, share);
     addEventListener("hashchange", () => void this.restore());
     document.addEventListener("keydown", (event) => this.key(event));
     this.showSettings();
-    void this.run();
+    void planning.run();
+  }
+
+  private planningEvents(): NonNullable<Planning["events"]> {
+    return {
+      begun: (recorded) => {
+        this.tell("planning");
+        this.showCommand();
+        this.keepLink();
+        if (this.judged !== undefined) this.judged.isShown = recorded !== undefined;
+      },
+      diagnosed: (diagnostics) => this.showDiagnostics(diagnostics),
+      planned: (plan, isCurrent) => this.load(plan, isCurrent),
+      gouged: (gouges) => this.gouges.show(gouges),
+      ended: (why, said) => this.end(why, said),
+      equipped: () => this.showSettings(),
+      refused: (message) => this.machineForm.refuse(message),
+    };
+  }
+
+  private get settings(): Settings {
+    return this.planning.settings;
+  }
+
+  private get machine(): Limits {
+    return this.planning.machine;
   }
 
   redraw(): void {
@@ -164,40 +187,9 @@ export class Workbench implements Mode {
     );
   }
 
-  private exportsPanel(): HTMLElement {
-    const button = (id: string, text: string, click: () => void): HTMLElement =>
-      html("button", { type: "button", id, click }, text);
-    const name = (ending: string): string => `${this.settings.name.replace(/\.\w+$/, "")}.${ending}`;
-    return html(
-      "section",
-      { class: "panel exports", "aria-label": "Files" },
-      html("h2", {}, "Files and the command"),
-      html(
-        "div",
-        { class: "buttons" },
-        button("export-csv", "Words, CSV", () => void this.exportTrace(name("csv"))),
-        button("export-svg", "Path, SVG", () => download(name("svg"), this.path.view.svgText(), "image/svg+xml")),
-        button(
-          "export-png",
-          "Path, PNG",
-          () => void this.path.view.pngBlob().then((blob) => download(name("png"), blob, "image/png")),
-        ),
-      ),
-      this.command,
-      this.commandNote,
-    );
-  }
-
-  private async exportTrace(name: string): Promise<void> {
-    if (this.plan === undefined || this.planner.isBusy) return;
-    if (this.recorded !== undefined) return download(name, traceOf(this.recorded), "text/csv");
-    const trace = await unlessCancelled(this.planner.trace());
-    if (trace !== undefined) download(name, trace, "text/csv");
-  }
-
   private async openExample({ name, text, machine, tools }: Example): Promise<void> {
     const file = machine ?? "";
-    if (file !== this.settings.machine && !(await this.takeMachine(file))) return;
+    if (file !== this.settings.machine && !(await this.planning.takeMachine(file))) return;
     this.settings.tools = tools ?? "";
     this.showSettings();
     this.openText(`${name}.ngc`, text);
@@ -205,28 +197,8 @@ export class Workbench implements Mode {
 
   /** A machine file, or the built-in mill, as it is. */
   private async openMachine(file: string): Promise<void> {
-    if (await this.takeMachine(file)) this.settings.override = 100;
-    await this.run();
-  }
-
-  /** False where the file is wrong, which is told, or something else is asked for meanwhile. */
-  private async takeMachine(file: string): Promise<boolean> {
-    ++this.runs;
-    clearTimeout(this.typing);
-    this.planner.cancel();
-    this.tell("planning");
-    const limits = await unlessCancelled(this.planner.limits(file));
-    if (limits === undefined) return false;
-    if ("code" in limits) {
-      const place = limits.line > 0 ? `line ${limits.line}: ` : "";
-      this.machineForm.refuse(`${place}${limits.message}${limits.hint === "" ? "" : `: ${limits.hint}`}`);
-      return false;
-    }
-    this.machine = limits;
-    this.settings.machine = file;
-    this.settings.limits = copied(limits);
-    this.showSettings();
-    return true;
+    if (await this.planning.takeMachine(file)) this.settings.override = 100;
+    await this.planning.run();
   }
 
   private openText(name: string, text: string): void {
@@ -235,12 +207,12 @@ export class Workbench implements Mode {
     this.settings.time = 0;
     this.isNewText = true;
     this.editor.set(text);
-    void this.run();
+    void this.planning.run();
   }
 
   /** The program that is driven is planned here too, on its machine and with its tools. */
   private async showDriven(machine: LiveMachine, texts: LiveTexts): Promise<void> {
-    if (texts.program === "" || !(await this.takeMachine(texts.machine))) return;
+    if (texts.program === "" || !(await this.planning.takeMachine(texts.machine))) return;
     this.settings.tools = texts.tools;
     this.showSettings();
     this.openText(machine.program.split("/").at(-1) ?? machine.program, texts.program);
@@ -262,112 +234,38 @@ export class Workbench implements Mode {
     return this.followed.tool;
   }
 
-  private typed(text: string): void {
-    this.settings.text = text;
-    clearTimeout(this.typing);
-    this.typing = window.setTimeout(() => void this.run(), typingPause);
-  }
-
   private change(change: Partial<Settings>): void {
     Object.assign(this.settings, change);
-    void this.run();
+    void this.planning.run();
   }
 
   private async restore(): Promise<void> {
-    clearTimeout(this.typing);
-    this.planner.cancel();
-    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits, this.recording));
-    if (restored === undefined) return;
-    [this.settings, this.machine] = restored;
+    if (!(await this.planning.restore())) return;
     this.isNewText = true;
     this.editor.set(this.settings.text);
     this.showSettings();
-    await this.run();
-  }
-
-  private cancel(): void {
-    ++this.runs;
-    this.planner.cancel();
-    this.forget();
-    this.tell("cancelled");
-    this.progress.rest("Cancelled: change something, or open another program");
-  }
-
-  private get task(): Task {
-    const { text, machine, limits, tools, override } = this.settings;
-    return { text, machine, limits, tools, override: override / 100 };
-  }
-
-  /** What is shown as it was recorded: nothing of it has been changed. */
-  private get recorded(): Recording | undefined {
-    const { recording, settings, machine } = this;
-    return recording !== undefined && isAsBegun(settings, machine, recording) ? recording : undefined;
+    await this.planning.run();
   }
 
   private async lookForGouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
     try {
-      return await unlessCancelled(this.planner.gouges(this.task));
+      return await this.planning.gouges();
     } finally {
       this.progress.rest("");
     }
   }
 
-  /** Checks what is set, and plans it. */
-  private async run(): Promise<void> {
-    const run = ++this.runs;
-    this.planner.cancel();
-    this.tell("planning");
-    this.showCommand();
-    this.keepLink();
-    const { task, recorded } = this;
-    if (this.judged !== undefined) this.judged.isShown = recorded !== undefined;
-    try {
-      if (recorded !== undefined) return await this.showRecorded(recorded, run);
-      const checked = await unlessCancelled(this.planner.check(task));
-      if (checked === undefined || run !== this.runs) return;
-      this.showDiagnostics(checked.diagnostics);
-      if (!checked.isSound) return this.refuse();
-      const plan = await unlessCancelled(this.planner.plan(task, mostSamples));
-      if (plan === undefined || run !== this.runs) return;
-      if ("code" in plan) {
-        this.showDiagnostics([...checked.diagnostics, plan]);
-        return this.refuse();
-      }
-      await this.load(plan);
-    } catch (failure) {
-      if (run !== this.runs) return;
-      this.forget();
-      this.tell("failed");
-      this.progress.rest(`The engine failed: ${String(failure)}`);
-    }
-  }
-
-  /** Nothing is planned: tools and surfaces alone are the engine's. */
-  private async showRecorded(recording: Recording, run: number): Promise<void> {
-    const equipment = await unlessCancelled(this.planner.equipment(this.task));
-    if (equipment === undefined || run !== this.runs) return;
-    this.showDiagnostics(diagnosticsOf(recording.result));
-    await this.load(planOf(recording, equipment));
-    const gouges = gougesOf(recording);
-    if (gouges !== undefined && run === this.runs) this.gouges.show(gouges);
-  }
-
-  private refuse(): void {
-    this.forget();
-    this.tell("unsound");
-    this.progress.rest("Nothing moves until what is marked is mended");
-  }
-
   /** There is no plan; what is shown of the last one stays where it is of the same text, as it was before a change. */
-  private forget(): void {
+  private end(why: End, said: string): void {
     this.plan = undefined;
     this.playback.stop();
     if (this.isNewText) this.element.dataset["shows"] = "nothing";
+    this.tell(why);
+    this.progress.rest(said);
   }
 
   /** A panel at a time: between two the page is free. */
-  private async load(plan: Plan): Promise<void> {
-    const run = this.runs;
+  private async load(plan: Plan, isCurrent: () => boolean): Promise<void> {
     delete this.element.dataset["shows"];
     const panels = [
       () => this.path.load(plan, this.settings.colouring, !this.isNewText),
@@ -380,7 +278,7 @@ export class Workbench implements Mode {
     for (const panel of panels) {
       panel();
       await new Promise((resume) => setTimeout(resume));
-      if (run !== this.runs) return;
+      if (!isCurrent()) return;
     }
     this.plan = plan;
     this.progress.rest("");
@@ -393,7 +291,7 @@ export class Workbench implements Mode {
 
   private tell(state: string): void {
     this.element.dataset["state"] = state;
-    this.element.dataset["run"] = String(this.runs);
+    this.element.dataset["run"] = String(this.planning.number);
   }
 
   private showSettings(): void {
@@ -406,15 +304,7 @@ export class Workbench implements Mode {
 
   private showCommand(): void {
     this.program.show(this.settings);
-    this.command.textContent = commandOf(this.settings, this.machine);
-    const has = (option: string): boolean => this.command.textContent?.includes(option) === true;
-    this.commandNote.textContent = [
-      has("--machine") ? "machine.toml is what Save gives under Machine." : "",
-      has("--tools") ? "tools.tbl is the table of tools there." : "",
-      this.settings.override === 100 ? "" : "The command runs at a feed override of 100 %.",
-    ]
-      .join(" ")
-      .trim();
+    this.files.show(this.settings, this.machine);
   }
 
   private showDiagnostics(diagnostics: readonly Diagnostic[]): void {
@@ -479,7 +369,7 @@ export class Workbench implements Mode {
     if (this.linkTimer !== 0) return;
     this.linkTimer = window.setTimeout(() => {
       this.linkTimer = 0;
-      void toLink(this.settings, this.machine, this.recording).then((link) => history.replaceState(null, "", link));
+      void this.planning.link().then((link) => history.replaceState(null, "", link));
     }, 400);
   }
 

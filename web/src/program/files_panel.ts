@@ -1,0 +1,71 @@
+// What is shown as files, and the command that gives the same words.
+
+import { download } from "../lesson/files";
+import type { Limits } from "../engine/motion_types";
+import { html } from "../ui/dom";
+import { commandOf, type Settings } from "./settings";
+
+export interface FilesEvents {
+  /** Every word; undefined where there is no motion. */
+  trace(): Promise<Blob | undefined>;
+  /** The path as it is seen. */
+  svg(): string;
+  png(): Promise<Blob>;
+}
+
+export class FilesPanel {
+  readonly element: HTMLElement;
+  private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
+  private readonly note = html("p", { class: "note" });
+  private name = "program";
+
+  constructor(events: FilesEvents) {
+    const save = (id: string, text: string, ending: string, type: string, made: () => FileContent): HTMLElement =>
+      html(
+        "button",
+        {
+          type: "button",
+          id,
+          click: () =>
+            void Promise.resolve(made()).then((content) => {
+              if (content !== undefined) download(`${this.name}.${ending}`, content, type);
+            }),
+        },
+        text,
+      );
+    const buttons = [
+      save("export-csv", "Words, CSV", "csv", "text/csv", () => events.trace()),
+      save("export-svg", "Path, SVG", "svg", "image/svg+xml", () => events.svg()),
+      save("export-png", "Path, PNG", "png", "image/png", () => events.png()),
+      html(
+        "button",
+        { type: "button", id: "copy-link", click: () => void navigator.clipboard?.writeText(location.href) },
+        "Copy link",
+      ),
+    ];
+    this.element = html(
+      "section",
+      { class: "panel exports", "aria-label": "Files" },
+      html("h2", {}, "Files and the command"),
+      html("div", { class: "buttons" }, ...buttons),
+      this.command,
+      this.note,
+    );
+  }
+
+  /** Of these settings, whose machine is `machine` without changes. */
+  show(settings: Settings, machine: Limits): void {
+    this.name = settings.name.replace(/\.\w+$/, "");
+    const command = commandOf(settings, machine);
+    this.command.textContent = command;
+    this.note.textContent = [
+      command.includes("--machine") ? "machine.toml is what Save gives under Machine." : "",
+      command.includes("--tools") ? "tools.tbl is the table of tools there." : "",
+      settings.override === 100 ? "" : "The command runs at a feed override of 100 %.",
+    ]
+      .join(" ")
+      .trim();
+  }
+}
+
+type FileContent = Blob | string | undefined | Promise<Blob | string | undefined>;

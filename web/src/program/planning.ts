@@ -1,0 +1,176 @@
+// What runs the planner: a text and a machine become a plan, or what is wrong with them is told. One run at a time; what was
+// recorded is not planned again as long as nothing of it is changed.
+
+import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
+import type { Diagnostic, Gouge, Limits, LoopOptions, Plan, Slides, Task } from "../engine/motion_types";
+import { diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
+import { copied, fromLink, isAsBegun, toLink, type Settings } from "./settings";
+
+const mostSamples = 1_000_000;
+const typingPause = 250; // ms
+
+/** Why there is no plan. */
+export type End = "unsound" | "cancelled" | "failed";
+
+export interface PlanningEvents {
+  /** A run begins: of what was recorded, or of what is set now. */
+  begun(recorded: Recording | undefined): void;
+  diagnosed(diagnostics: readonly Diagnostic[]): void;
+  /** Shows a plan; asks between two pieces of that whether it is still wanted. */
+  planned(plan: Plan, isCurrent: () => boolean): Promise<void>;
+  /** Of a recording. */
+  gouged(gouges: readonly Gouge[]): void;
+  ended(why: End, said: string): void;
+  /** Another machine is in force, as its file has it. */
+  equipped(): void;
+  /** A machine file is wrong. */
+  refused(message: string): void;
+}
+
+export class Planning {
+  events: PlanningEvents | undefined;
+  private runs = 0;
+  private typing = 0;
+
+  /** With what the command has recorded, where it has. */
+  static async open(planner: PlannerClient, recording?: Recording): Promise<Planning> {
+    const [settings, machine] = await fromLink(location.hash, planner.limits, recording);
+    return new Planning(planner, settings, machine, recording);
+  }
+
+  private constructor(
+    private readonly planner: PlannerClient,
+    public settings: Settings,
+    /** The machine of the settings, as it is without changes. */
+    public machine: Limits,
+    readonly recording: Recording | undefined,
+  ) {}
+
+  /** Of the run that is in force. */
+  get number(): number {
+    return this.runs;
+  }
+
+  /** What is set, as the engine is asked for it. */
+  private get task(): Task {
+    const { text, machine, limits, tools, override } = this.settings;
+    return { text, machine, limits, tools, override: override / 100 };
+  }
+
+  /** What is shown as it was recorded: nothing of it has been changed. */
+  private get recorded(): Recording | undefined {
+    const { recording, settings, machine } = this;
+    return recording !== undefined && isAsBegun(settings, machine, recording) ? recording : undefined;
+  }
+
+  async link(): Promise<string> {
+    return await toLink(this.settings, this.machine, this.recording);
+  }
+
+  /** Of a code, while the planner has nothing else to do. */
+  async explain(code: string): Promise<string> {
+    return this.planner.isBusy ? "" : ((await unlessCancelled(this.planner.explain(code))) ?? "");
+  }
+
+  /** Of the last plan. */
+  async slides(options: LoopOptions): Promise<Slides | Diagnostic | undefined> {
+    return await unlessCancelled(this.planner.slides(this.task, options));
+  }
+
+  async gouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
+    return await unlessCancelled(this.planner.gouges(this.task));
+  }
+
+  /** Every word of the last plan, or of what was recorded. */
+  async trace(): Promise<Blob | undefined> {
+    if (this.planner.isBusy) return undefined;
+    return this.recorded !== undefined ? traceOf(this.recorded) : await unlessCancelled(this.planner.trace());
+  }
+
+  /** Plans soon: typing comes faster than plans are made. */
+  typed(text: string): void {
+    this.settings.text = text;
+    clearTimeout(this.typing);
+    this.typing = window.setTimeout(() => void this.run(), typingPause);
+  }
+
+  /** A machine file, or the built-in mill, as it is. False where the file is wrong, or something else is asked for meanwhile. */
+  async takeMachine(file: string): Promise<boolean> {
+    this.stop();
+    this.events?.begun(undefined);
+    const limits = await unlessCancelled(this.planner.limits(file));
+    if (limits === undefined) return false;
+    if ("code" in limits) {
+      const place = limits.line > 0 ? `line ${limits.line}: ` : "";
+      this.events?.refused(`${place}${limits.message}${limits.hint === "" ? "" : `: ${limits.hint}`}`);
+      return false;
+    }
+    this.machine = limits;
+    this.settings.machine = file;
+    this.settings.limits = copied(limits);
+    this.events?.equipped();
+    return true;
+  }
+
+  /** What the address says now; false where something else is asked for meanwhile. */
+  async restore(): Promise<boolean> {
+    clearTimeout(this.typing);
+    this.planner.cancel();
+    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits, this.recording));
+    if (restored === undefined) return false;
+    [this.settings, this.machine] = restored;
+    return true;
+  }
+
+  private stop(): number {
+    clearTimeout(this.typing);
+    this.planner.cancel();
+    return ++this.runs;
+  }
+
+  cancel(): void {
+    this.stop();
+    this.events?.ended("cancelled", "Cancelled: change something, or open another program");
+  }
+
+  /** Checks what is set, and plans it. */
+  async run(): Promise<void> {
+    const run = this.stop();
+    const { recorded } = this;
+    this.events?.begun(recorded);
+    try {
+      await (recorded === undefined ? this.plan(run) : this.showRecorded(recorded, run));
+    } catch (failure) {
+      if (run === this.runs) this.events?.ended("failed", `The engine failed: ${String(failure)}`);
+    }
+  }
+
+  private async plan(run: number): Promise<void> {
+    const { task } = this;
+    const checked = await unlessCancelled(this.planner.check(task));
+    if (checked === undefined || run !== this.runs) return;
+    this.events?.diagnosed(checked.diagnostics);
+    if (!checked.isSound) return this.refuse();
+    const plan = await unlessCancelled(this.planner.plan(task, mostSamples));
+    if (plan === undefined || run !== this.runs) return;
+    if ("code" in plan) {
+      this.events?.diagnosed([...checked.diagnostics, plan]);
+      return this.refuse();
+    }
+    await this.events?.planned(plan, () => run === this.runs);
+  }
+
+  /** Nothing is planned: tools and surfaces alone are the engine's. */
+  private async showRecorded(recording: Recording, run: number): Promise<void> {
+    const equipment = await unlessCancelled(this.planner.equipment(this.task));
+    if (equipment === undefined || run !== this.runs) return;
+    this.events?.diagnosed(diagnosticsOf(recording.result));
+    await this.events?.planned(planOf(recording, equipment), () => run === this.runs);
+    const gouges = gougesOf(recording);
+    if (gouges !== undefined && run === this.runs) this.events?.gouged(gouges);
+  }
+
+  private refuse(): void {
+    this.events?.ended("unsound", "Nothing moves until what is marked is mended");
+  }
+}
