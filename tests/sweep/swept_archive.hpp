@@ -53,4 +53,39 @@ class SweptArchive {
   int tasks = 0;
 };
 
+/// What the shards of a sweep say of each task's time, s of the clock: a list a shard, in the order in which tasks were done.
+struct SpentTime {
+  double begin = 0, end = 0;
+};
+inline std::vector<std::vector<SpentTime>> spent_of(const Folder& folder, const std::string& out) {
+  std::vector<std::vector<SpentTime>> all;
+  for (const auto& shard : std::filesystem::directory_iterator(folder.path() / out / "shards")) {
+    std::ifstream file(shard.path());
+    all.emplace_back();
+    for (std::string line; std::getline(file, line);) {
+      const Json spent = Json::parse(line)["spent"];
+      all.back().push_back({spent["begin"], spent["end"]});
+    }
+  }
+  return all;
+}
+
+#ifdef LEADSCREW_MPIRUN
+/// A sweep on so many ranks.
+inline Outcome ranked_sweep(const Folder& folder, const std::string& ranks, const std::vector<std::string>& words,
+                            const std::vector<std::string>& of_mpirun = {}) {
+  std::vector<std::string> all = of_mpirun;
+  all.insert(all.end(), {"-n", ranks, "--oversubscribe", "--allow-run-as-root", Surroundings().command, "sweep"});
+  all.insert(all.end(), words.begin(), words.end());
+  return leadscrew(folder, all, {.command = LEADSCREW_MPIRUN});
+}
+#endif
+
+/// Adds to the words programs of some 100 ms each, all a little different.
+inline void add_long_programs(const Folder& folder, int count, std::vector<std::string>& words) {
+  words.emplace_back("--programs");
+  for (int k = 0; k < count; ++k)
+    words.push_back(folder.write("p" + std::to_string(k) + ".ngc", long_program(1500 + 100 * k)));
+}
+
 }  // namespace leadscrew::cli::testing

@@ -2,12 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <leadscrew/sweep/model.hpp>
 #include <leadscrew/sweep/model_table.hpp>
 #include <leadscrew/sweep/sensitivity.hpp>
 #include <numeric>
 
-#include "command.hpp"
+#include "swept_archive.hpp"
 
 namespace test_model {
 
@@ -62,6 +63,48 @@ TEST(Model, ReadsWhatASweepHasMeasured) {
   EXPECT_EQ(cli::testing::leadscrew(folder, {"sweep", "--model", "0", "--out", "out"}).status, 2);
   EXPECT_EQ(cli::testing::leadscrew(folder, {"sweep", "--model", "1", "--out", "none"}).status, 3);
 }
+
+/// The model's time over the measured one, by the tasks' times of the clock: other work on the computer, and the other ranks of a
+/// processor, are in them, so that each rank has a processor.
+double modelled_over_measured(const cli::testing::Folder& folder, const std::string& out) {
+  const auto shards = cli::testing::spent_of(folder, out);
+  std::vector<cli::testing::SpentTime> all;
+  for (const auto& tasks : shards) all.insert(all.end(), tasks.begin(), tasks.end());
+  std::ranges::sort(all, {}, &cli::testing::SpentTime::begin);
+  std::vector<double> tasks;
+  double end = 0;
+  for (const auto& task : all) {
+    tasks.push_back(task.end - task.begin);
+    end = std::max(end, task.end);
+  }
+  const int ranks = static_cast<int>(shards.size());
+  return simulate({.ranks = ranks, .processors = ranks}, tasks).makespan / (end - all.front().begin);
+}
+
+TEST(LongModel, IsNearWhatIsMeasuredOnOneProcessTwoAndFour) {
+  const cli::testing::Folder folder;
+  std::vector<std::string> words = {"sweep", "--quiet"};
+  cli::testing::add_long_programs(folder, 12, words);
+  for (const char* const count : {"1", "2", "4"}) {
+    auto all = words;
+    all.insert(all.end(), {"--processes", count, "--out", count});
+    ASSERT_EQ(cli::testing::leadscrew(folder, all).status, 0);
+    EXPECT_NEAR(modelled_over_measured(folder, count), 1, 0.1) << count;
+  }
+}
+
+#ifdef LEADSCREW_MPIRUN
+TEST(LongModel, IsNearWhatIsMeasuredOnTwoRanksAndFour) {
+  const cli::testing::Folder folder;
+  std::vector<std::string> words = {"--quiet", "--out", "out"};
+  cli::testing::add_long_programs(folder, 12, words);
+  for (const char* const ranks : {"2", "4"}) {
+    words[2] = ranks;
+    ASSERT_EQ(cli::testing::ranked_sweep(folder, ranks, words).status, 0);
+    EXPECT_NEAR(modelled_over_measured(folder, ranks), 1, 0.1) << ranks;
+  }
+}
+#endif
 
 TEST(Sensitivities, AreThoseOfASquareInClosedForm) {
   // Short sides from rest to rest at the limit of jerk take 4·cbrt(s/(2j)) each: −1/3 per cent for one per cent of jerk.

@@ -78,28 +78,19 @@ TEST(Sweep, MakesTheSameRowsUnderMpi) {
 /// Of the time from the first task of a shard to its last the share that is between two tasks; the largest of all shards.
 double longest_waiting(const Folder& folder, const std::string& out) {
   double longest = 0;
-  for (const auto& shard : std::filesystem::directory_iterator(folder.path() / out / "shards")) {
-    std::ifstream file(shard.path());
-    double first = 0, last = 0, working = 0;
-    for (std::string line; std::getline(file, line);) {
-      const Json spent = Json::parse(line)["spent"];
-      if (working == 0) first = spent["begin"];
-      last = spent["end"];
-      working += last - spent["begin"].get<double>();
-    }
-    longest = std::max(longest, 1 - working / (last - first));
+  for (const auto& tasks : spent_of(folder, out)) {
+    double working = 0;
+    for (const SpentTime& task : tasks) working += task.end - task.begin;
+    longest = std::max(longest, 1 - working / (tasks.back().end - tasks.front().begin));
   }
   return longest;
 }
 
 TEST(Sweep, ClaimsOverANetworkDoNotWaitForTheFirstRanksTasks) {
   const Folder folder;
-  std::vector<std::string> words = {"--mca", "btl", "tcp,self", "--mca", "osc", "pt2pt"};
-  words.insert(words.end(), {"-n", "2", "--oversubscribe", "--allow-run-as-root", Surroundings().command});
-  words.insert(words.end(), {"sweep", "--out", "out", "--quiet", "--programs"});
-  for (int k = 0; k < 16; ++k)  // some 100 ms each
-    words.push_back(folder.write("p" + std::to_string(k) + ".ngc", long_program(1500 + k)));
-  const Outcome outcome = leadscrew(folder, words, {.command = LEADSCREW_MPIRUN});
+  std::vector<std::string> words = {"--out", "out", "--quiet"};
+  add_long_programs(folder, 12, words);
+  const Outcome outcome = ranked_sweep(folder, "2", words, {"--mca", "btl", "tcp,self", "--mca", "osc", "pt2pt"});
   EXPECT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_LT(longest_waiting(folder, "out"), 0.1);
 }

@@ -5,7 +5,8 @@
 //     rank    claim ─▶ [counter] ─▶ task ─▶ [file system, of the first result] ─▶ claim ─▶ …
 //
 // The counter and the file system serve one rank after the other. Ranks that share processors share them equally: each goes on
-// at min(1, processors/ranks at work) of its speed.
+// at min(1, processors/ranks at work) of its speed: tasks are then given by their processor time. Where they are given by the time
+// of the clock, which has the waiting for a processor in it, each rank has a processor of its own.
 
 #include <cstdint>
 #include <vector>
@@ -32,7 +33,7 @@ struct ModelResult {
   double efficiency = 0;
 };
 
-/// `tasks`: s of a processor, in the order in which they are claimed; 0 and above.
+/// `tasks`: s, of a processor or of the clock as said above, in the order in which they are claimed; 0 and above.
 ModelResult simulate(const ModelSetup& setup, const std::vector<double>& tasks);
 
 }  // namespace leadscrew::sweep
