@@ -1,6 +1,11 @@
 """The reference of the library as pages: one for each public header, of what Doxygen has read from it and the headers that it
-includes directly."""
+includes directly.
+
+    reference.py --check XML    fails where a name outside of classes has no comment; for those inside, Doxygen does
+"""
+import pathlib
 import re
+import sys
 import xml.etree.ElementTree as ElementTree
 
 KINDS = {"class": "class", "struct": "struct", "concept": "concept", "union": "union"}
@@ -174,3 +179,18 @@ def write(xml, include, folder):
     lines = ["# The library's headers", "", "Made by Doxygen from their comments. [What each is for](../library.md#the-headers), and",
              "[where to begin](../guides/controller.md).", "", "```{toctree}", *names, "```", ""]
     (folder / "index.md").write_text("\n".join(lines), encoding="utf-8")
+
+
+def undocumented(xml):
+    """Names outside of classes without a comment."""
+    headers, _ = read(xml)
+    for file, header in sorted(headers.items()):
+        for member in header.members:
+            if not description(member, {}) and (member.get("kind") != "enum" or flat(member.find("name"))[:1] != "@"):
+                yield f"{file}:{member.find('location').get('line')}: error: {declaration(member)} is not documented"
+
+
+if __name__ == "__main__" and sys.argv[1] == "--check":
+    problems = list(undocumented(pathlib.Path(sys.argv[2])))
+    print("\n".join(problems), end="\n" if problems else "")
+    sys.exit(1 if problems else 0)

@@ -11,21 +11,26 @@
 
 namespace leadscrew::base {
 
+/// Linear axes X Y Z and, beside them, U V W; rotary axes A B C about X Y Z.
 enum class Axis : std::uint8_t { X, Y, Z, A, B, C, U, V, W };
 
-inline constexpr std::size_t axis_count = 9;
+inline constexpr std::size_t axis_count = 9;  ///< of a machine, at most
 
+/// In the order of an AxisVector.
 inline constexpr std::array<Axis, axis_count> all_axes = {Axis::X, Axis::Y, Axis::Z, Axis::A, Axis::B,
                                                           Axis::C, Axis::U, Axis::V, Axis::W};
 
+/// Its place in an AxisVector, 0 … 8.
 constexpr std::size_t index(Axis axis) {
   return static_cast<std::size_t>(axis);
 }
 
+/// As programs and traces name it, such as 'X'.
 constexpr char letter(Axis axis) {
   return "XYZABCUVW"[index(axis)];
 }
 
+/// Degrees, not mm?
 constexpr bool is_rotary(Axis axis) {
   return axis == Axis::A || axis == Axis::B || axis == Axis::C;
 }

@@ -11,6 +11,7 @@
 
 namespace leadscrew::base {
 
+/// How bad it is: errors alone keep a program from moving.
 enum class Severity : std::uint8_t { note, warning, error };
 
 /// "note", "warning" or "error".

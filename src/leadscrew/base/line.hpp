@@ -18,12 +18,12 @@ namespace leadscrew::base {
 /// Line of the source text, counted from 1; 0 before the first. With file and visit where the text has more than one.
 enum class Line : std::int64_t {};
 
-inline constexpr int line_bits = 32;
-inline constexpr int file_bits = 12;
-inline constexpr int visit_bits = 20;
+inline constexpr int line_bits = 32;                                           ///< of its number in the text
+inline constexpr int file_bits = 12;                                           ///< of its text
+inline constexpr int visit_bits = 20;                                          ///< of its visit
 inline constexpr std::int64_t last_line = (std::int64_t{1} << line_bits) - 1;  ///< lines beyond count as this one
-inline constexpr int last_file = (1 << file_bits) - 1;
-inline constexpr int last_visit = (1 << visit_bits) - 1;  ///< 0 follows it
+inline constexpr int last_file = (1 << file_bits) - 1;                         ///< of the texts of a program
+inline constexpr int last_visit = (1 << visit_bits) - 1;                       ///< 0 follows it
 
 /// Of the line in its text, as people count: 1 …
 constexpr std::int64_t number(Line line) {

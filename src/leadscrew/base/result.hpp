@@ -7,6 +7,7 @@
 
 namespace leadscrew::base {
 
+/// A value, or why there is none.
 template <class T>
 using Result = tl::expected<T, Diagnostic>;
 

@@ -8,9 +8,11 @@ namespace leadscrew::base {
 /// Servo periods since the motion began.
 enum class Tick : std::int64_t {};
 
+/// Periods as a number, 0 where motion began.
 constexpr std::int64_t count(Tick tick) {
   return static_cast<std::int64_t>(tick);
 }
+/// One period later.
 constexpr Tick next(Tick tick) {
   return Tick{count(tick) + 1};
 }
@@ -24,9 +26,10 @@ struct Period {
   friend constexpr bool operator==(Period, Period) = default;
 };
 
-inline constexpr Period shortest_period{10'000};
-inline constexpr Period longest_period{20'000'000};
+inline constexpr Period shortest_period{10'000};     ///< 10 µs
+inline constexpr Period longest_period{20'000'000};  ///< 20 ms
 
+/// Is it one that words can have: from shortest_period to longest_period?
 constexpr bool is_valid(Period period) {
   return shortest_period.nanoseconds <= period.nanoseconds && period.nanoseconds <= longest_period.nanoseconds;
 }

@@ -15,12 +15,15 @@ namespace leadscrew::gcode {
 /// seen from the positive end of the third.
 enum class Plane : std::uint8_t { XY, ZX, YZ };  // G17, G18, G19
 
+/// From it angles in the plane are counted: X of XY, Z of ZX, Y of YZ.
 constexpr base::Axis first_axis(Plane plane) {
   return plane == Plane::XY ? base::Axis::X : plane == Plane::ZX ? base::Axis::Z : base::Axis::Y;
 }
+/// A quarter turn on from the first.
 constexpr base::Axis second_axis(Plane plane) {
   return plane == Plane::XY ? base::Axis::Y : plane == Plane::ZX ? base::Axis::X : base::Axis::Z;
 }
+/// Helices climb along it.
 constexpr base::Axis normal_axis(Plane plane) {
   return plane == Plane::XY ? base::Axis::Z : plane == Plane::ZX ? base::Axis::Y : base::Axis::X;
 }
@@ -54,7 +57,7 @@ struct Feed {
 
 /// The curves there are: of degree 1 … highest_degree, with at most so many control points, so that memory is bounded.
 inline constexpr int highest_degree = 5;
-inline constexpr std::size_t most_control_points = 4096;
+inline constexpr std::size_t most_control_points = 4096;  ///< of a curve
 
 /// A control point of a NURBS curve.
 struct ControlPoint {

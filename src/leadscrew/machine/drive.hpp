@@ -60,6 +60,7 @@ struct DriveNumber {
   Range range;                               ///< that it must be in
 };
 
+/// All of them.
 inline constexpr std::array<DriveNumber, 16> drive_numbers = {
     {{"position gain", &AxisDrive::position_gain, DriveNumber::Range::positive},
      {"velocity gain", &AxisDrive::velocity_gain, DriveNumber::Range::positive},

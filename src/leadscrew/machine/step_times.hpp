@@ -33,11 +33,12 @@ struct StepTime {
   std::int64_t least;               ///< ns
 };
 
+/// Each with the least that it may be.
 inline constexpr std::array<StepTime, 4> all_step_times = {{{"step length", &StepTimes::step_length, 1},
                                                             {"step space", &StepTimes::step_space, 1},
                                                             {"direction setup", &StepTimes::direction_setup, 0},
                                                             {"direction hold", &StepTimes::direction_hold, 0}}};
-inline constexpr std::int64_t longest_step_time = 1'000'000'000;  // ns
+inline constexpr std::int64_t longest_step_time = 1'000'000'000;  ///< ns, of each
 
 /// Adds every way in which they contradict the ranges above. Code: `step-time`.
 void check_step_times(base::Axis axis, const StepTimes& times, std::vector<base::Diagnostic>& problems);

@@ -7,6 +7,7 @@
 
 namespace leadscrew::pipeline {
 
+/// What is to be had of who gives moves.
 enum class Supply : std::uint8_t {
   move,   ///< here is one
   later,  ///< none is known yet; more may come

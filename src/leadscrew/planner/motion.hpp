@@ -50,7 +50,8 @@ double time_at(const Segment& segment, double s);
 
 /// Speed and acceleration that count as rest, units/s and units/s²: any usual jerk leads beyond them within
 /// nanoseconds.
-inline constexpr double rest_speed = 1e-9, rest_acceleration = 1e-6;
+inline constexpr double rest_speed = 1e-9;
+inline constexpr double rest_acceleration = 1e-6;  ///< see rest_speed
 
 /// Does motion stand, to rounding? Where it passes through rest it does: what goes on there may as well wait.
 bool is_rest(const PathState& state);

@@ -29,6 +29,7 @@ struct PoseColumn {
   std::string_view name;  ///< in the header
   std::string_view unit;  ///< mm; "" of a direction
 };
+/// The tip's position, and the tool's direction.
 inline constexpr std::array<PoseColumn, 6> pose_columns = {
     {{"tx", "mm"}, {"ty", "mm"}, {"tz", "mm"}, {"i", ""}, {"j", ""}, {"k", ""}}};
 
@@ -49,6 +50,7 @@ struct SlideColumn {
   std::string_view linear;                ///< unit of linear axes; empty where each controller has its own
   std::string_view rotary;                ///< unit of rotary axes
 };
+/// In their order: a column an axis for each.
 inline constexpr std::array<SlideColumn, 4> slide_columns = {{{"actual_", &BesideWord::actual, "mm", "deg"},
                                                               {"velocity_", &BesideWord::velocity, "mm/s", "deg/s"},
                                                               {"control_", &BesideWord::control, "", ""},
