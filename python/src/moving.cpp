@@ -45,7 +45,7 @@ base::Result<Moved> run(const Work& work, const Reading& reading, Watch& watch) 
   pipeline::LostTime lost(work.machine(),
                           [&](const pipeline::BlockTime& time) { moved.blocks.push_back(row_of(time)); });
   program->on_move([&](const gcode::Move& move) { lost.observe(move); });
-  const auto ended = [&] { return !watch.goes_on(0); };
+  const auto ended = [&] { return !watch.goes_on(); };
   referee::Referee referee(work.moves(), work.machine(), work.machine().period, ended);
   realtime::StopWatch<> timing;
   std::int64_t count = 0;
@@ -122,7 +122,7 @@ class Following {
     if (*followed) simulated_.rows.push_back(**followed);
     slides_.take_contour();
     const bool asks = base::count(word.tick) % words_between_questions == 0;
-    if (asks && !watch_.goes_on(0)) return base::failure(host::interruption());
+    if (asks && !watch_.goes_on()) return base::failure(host::interruption());
     return {};
   }
 
@@ -152,7 +152,7 @@ base::Result<Simulated> simulate(const Work& work, const Reading& reading, drive
 base::Result<pipeline::Trajectory> plan(const Work& work, Watch& watch) {
   const auto source = work.motion(watch);
   pipeline::Trajectory trajectory(work.machine().period, work.start());
-  while (true) {
+  while (watch.goes_on()) {
     if (auto chunk = source->next()) {
       trajectory.append(std::move(*chunk));
     } else if (source->wants_input()) {

@@ -93,7 +93,7 @@ Rows table(Pulses& pulses, std::size_t most, py::object progress) {
   auto rows = std::make_unique<std::vector<std::int64_t>>();
   without_lock(watch, [&] {
     std::size_t made = 0, count = 1;
-    while (count > 0 && made < most && watch.goes_on(0)) {
+    while (count > 0 && made < most && watch.goes_on(static_cast<double>(made) / static_cast<double>(most))) {
       const std::size_t wanted = std::min(clocks_together, most - made);
       rows->resize((made + wanted) * columns);
       leadscrew_pulses_next(pulses.handle, rows->data() + made * columns, wanted, &count, nullptr);

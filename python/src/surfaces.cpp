@@ -164,7 +164,7 @@ py::list passes(const Shared& surface, const py::dict& options, py::object progr
   py::list list;
   while (true) {
     const auto pass = without_lock(watch, [&] {
-      watch.goes_on(0);
+      watch.goes_on();
       return all.next();
     });
     if (!pass) break;

@@ -12,7 +12,7 @@ namespace {
 
 using pipeline::Trajectory;
 
-py::array at(const Trajectory& trajectory, const Numbers& times) {
+py::array states_at(const Trajectory& trajectory, const Numbers& times) {
   std::vector<pipeline::TrajectoryState> states;
   const double* const first = times.data();
   const auto count = static_cast<std::size_t>(times.size());
@@ -24,7 +24,7 @@ py::array at(const Trajectory& trajectory, const Numbers& times) {
   return array_of(std::move(states), state_fields());
 }
 
-py::array words(const Trajectory& trajectory) {
+py::array words_of(const Trajectory& trajectory) {
   Words words;
   {
     const py::gil_scoped_release release;
@@ -41,8 +41,8 @@ void bind_trajectory(py::module_& module) {
   py::class_<Trajectory>(module, "Trajectory")
       .def_property_readonly("duration", &Trajectory::duration)
       .def_property_readonly("length", &Trajectory::length)
-      .def("at", &at, py::arg("times"))
-      .def("words", &words);
+      .def("at", &states_at, py::arg("times"))
+      .def("words", &words_of);
 }
 
 }  // namespace leadscrew::python

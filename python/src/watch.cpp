@@ -8,20 +8,20 @@ namespace leadscrew::python {
 
 namespace py = pybind11;
 
-bool Watch::goes_on(double share) {
+bool Watch::goes_on() {
   if (ended_) return false;
   const auto now = std::chrono::steady_clock::now();
   if (now - last_ < between_questions) return true;
   last_ = now;
-  ended_ = !ask(share);
+  ended_ = !ask();
   return !ended_;
 }
 
-bool Watch::ask(double share) {
+bool Watch::ask() {
   const py::gil_scoped_acquire lock;
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return progress_.is_none() || !progress_(share).is(py::bool_(false));
+    return progress_.is_none() || !progress_(share_).is(py::bool_(false));
   } catch (py::error_already_set& error) {
     error_.emplace(std::move(error));
     return false;

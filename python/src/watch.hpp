@@ -16,17 +16,23 @@ class Watch {
   explicit Watch(pybind11::object progress) : progress_(std::move(progress)) {}
 
   /// Asked often, without the lock: looks at a clock, and twenty times a second for signals. False once the work is to end.
-  bool goes_on(double share);
+  bool goes_on();
+  /// The same, and from now on so much of the work is done, 0 … 1.
+  bool goes_on(double share) {
+    share_ = share;
+    return goes_on();
+  }
   /// With the lock, after the work: raises what ended it.
   void raise_what_ended();
 
  private:
-  bool ask(double share);
+  bool ask();
 
   static constexpr std::chrono::milliseconds between_questions{50};
 
   pybind11::object progress_;
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  double share_ = 0;
   bool ended_ = false;
   std::optional<pybind11::error_already_set> error_;
 };

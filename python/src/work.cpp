@@ -46,11 +46,11 @@ gcode::ReaderOptions TextWork::reading() const {
   return reading;
 }
 
-gcode::ByteSource TextWork::asking(Watch& watch, std::shared_ptr<double> share) const {
-  return [source = file_.source(), &watch, share = std::move(share), whole = static_cast<double>(file_.size()),
+gcode::ByteSource TextWork::asking(Watch& watch, Tells tells) const {
+  return [source = file_.source(), &watch, tells, whole = static_cast<double>(file_.size()),
           given = std::size_t{0}](std::span<char> buffer) mutable -> base::Result<std::size_t> {
-    *share = whole > 0 ? static_cast<double>(given) / whole : 1;
-    if (!watch.goes_on(*share)) return base::failure(host::interruption());
+    const double share = whole > 0 ? static_cast<double>(given) / whole : 1;
+    if (!(tells == Tells::share ? watch.goes_on(share) : watch.goes_on())) return base::failure(host::interruption());
     const auto count = source(buffer.first(std::min(buffer.size(), bytes_between_questions)));
     if (count) given += *count;
     return count;
@@ -60,13 +60,13 @@ gcode::ByteSource TextWork::asking(Watch& watch, std::shared_ptr<double> share) 
 Reading TextWork::read(Watch& watch, pipeline::Survey* survey) const {
   Reading reading;
   const double begin = realtime::SystemClocks::processor_seconds();
-  gcode::Reader reader(asking(watch, std::make_shared<double>()), machine(), tools_, this->reading(),
+  gcode::Reader reader(asking(watch, Tells::nothing), machine(), tools_, this->reading(),
                        [&](const base::Diagnostic& found) { reading.diagnostics.push_back(found); });
   reading.program = pipeline::read_whole(reader, {.survey = survey,
                                                   .is_sound = [&] { return !reading.has_errors(); },
                                                   .see = nullptr,
                                                   .moves_between_questions = 64,
-                                                  .goes_on = [&] { return watch.goes_on(0); }});
+                                                  .goes_on = [&] { return watch.goes_on(); }});
   if (reader.source_failure()) reading.diagnostics.push_back(*reader.source_failure());
   reading.seconds = realtime::SystemClocks::processor_seconds() - begin;
   return reading;
@@ -74,9 +74,8 @@ Reading TextWork::read(Watch& watch, pipeline::Survey* survey) const {
 
 template <class Joined>
 std::unique_ptr<Joined> TextWork::joined(Watch& watch) const {
-  auto share = std::make_shared<double>(0);
-  auto made = std::make_unique<Joined>(asking(watch, share), machine(), tools_, reading(), nullptr);
-  made->stop_when([&watch, share] { return !watch.goes_on(*share); });
+  auto made = std::make_unique<Joined>(asking(watch, Tells::share), machine(), tools_, reading(), nullptr);
+  made->stop_when([&watch] { return !watch.goes_on(); });
   return made;
 }
 

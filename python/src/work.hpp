@@ -86,8 +86,9 @@ class TextWork : public Work {
 
  private:
   gcode::ReaderOptions reading() const;
-  /// In pieces between which it is asked whether to go on.
-  gcode::ByteSource asking(Watch& watch, std::shared_ptr<double> share) const;
+  enum class Tells : std::uint8_t { nothing, share };
+  /// In pieces between which it is asked whether to go on; tells the share that has been read, if that is to be told.
+  gcode::ByteSource asking(Watch& watch, Tells tells) const;
   template <class Joined>
   std::unique_ptr<Joined> joined(Watch& watch) const;
 
