@@ -151,11 +151,17 @@ TEST(Manual, PagesAreFormattedWithoutAWarning) {
   }
   for (const std::string& page : pages) {
     EXPECT_EQ(shell(folder, "groff -man -ww -z " + page), "") << page;
+    if (is_installed("mandoc")) {
+      EXPECT_EQ(shell(folder, "mandoc -T lint -W warning " + page), "") << page;
+    }
     const std::string shown = shell(folder, "groff -man -Tutf8 -P-cbou " + page + " | tr -s ' '");
     EXPECT_TRUE(contains(shown, "\nNAME\n " + page.substr(0, page.find('.')) + " - ")) << shown;
   }
   folder.write("wrong.1", ".TH A 1\n.SH NAME\n.nosuchmacro\n");
   EXPECT_TRUE(contains(shell(folder, "groff -man -ww -z wrong.1"), "nosuchmacro"));
+  if (is_installed("mandoc")) {
+    EXPECT_TRUE(contains(shell(folder, "mandoc -T lint -W warning wrong.1"), "missing date"));
+  }
 }
 
 TEST(Manual, TextIsShownAsItStands) {

@@ -225,7 +225,7 @@ void describe_program(options::Program& program, Arguments& arguments) {
 
 std::variant<Arguments, Answer> parse_arguments(int count, const char* const* values) {
   Arguments arguments;
-  options::Program program("leadscrew", "CNC part programs into motion.", LEADSCREW_VERSION);
+  options::Program program("leadscrew", "CNC part programs into motion.", LEADSCREW_VERSION, LEADSCREW_RELEASED);
   describe_program(program, arguments);
   const auto parsed = options::parse_command_line(program, count, values);
   if (const auto* answer = std::get_if<Answer>(&parsed)) return *answer;

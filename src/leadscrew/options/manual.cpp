@@ -147,7 +147,7 @@ std::string manual_page(const Program& program, const Command* command) {
   const Command& described = command == nullptr ? program.itself : *command;
   const std::string name = page_name(program, command);
   const std::string typed = command == nullptr ? program.name() : program.name() + " " + command->name();
-  std::string page = fmt::format(".TH {} 1 \"\" \"{}\" \"{} manual\"\n", roff(in_capitals(name)),
+  std::string page = fmt::format(".TH {} 1 \"{}\" \"{}\" \"{} manual\"\n", roff(in_capitals(name)), program.released,
                                  roff(program.name() + " " + program.version), roff(program.name()));
   page += fmt::format(".SH NAME\n{} \\- {}\n", roff(name), roff(described.what()));
   page += fmt::format(".SH SYNOPSIS\n{} {}\n", bold(typed), synopsis(described));

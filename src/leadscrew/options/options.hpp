@@ -186,10 +186,13 @@ Answer usage_answer(const std::string& where, const std::string& message);
 
 /// A program of several commands.
 struct Program {
-  Program(std::string name, std::string what, std::string version_number)
-      : version(std::move(version_number)), itself(std::move(name), std::move(what)) {}
+  Program(std::string name, std::string what, std::string version_number, std::string released_on = {})
+      : version(std::move(version_number)),
+        released(std::move(released_on)),
+        itself(std::move(name), std::move(what)) {}
 
   std::string version;
+  std::string released;          ///< the day of that version, as 2026-11-28, in manual pages; may be empty
   Command itself;                ///< what is asked for without a command
   std::deque<Command> commands;  ///< in the order of help
   std::string known_commands;    ///< "; there are …", for a word that is no command
