@@ -57,4 +57,14 @@ endif()
 install(DIRECTORY examples/c examples/controller examples/controller-on-time examples/host
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libleadscrew-dev/examples COMPONENT development
   FILES_MATCHING REGEX "\\.(c|cpp|hpp|h)$|CMakeLists\\.txt$")
+
+# For Debian's Python, where its package has them; pip installs its own (python/setup.py).
+if(TARGET leadscrew_python)
+  set(python lib/python3/dist-packages/leadscrew)
+  install(TARGETS leadscrew_python LIBRARY DESTINATION ${python} COMPONENT python EXCLUDE_FROM_ALL)
+  file(GLOB modules CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/leadscrew/*.py ${PROJECT_SOURCE_DIR}/python/leadscrew/*.pyi)
+  install(FILES ${modules} python/leadscrew/py.typed DESTINATION ${python} COMPONENT python EXCLUDE_FROM_ALL)
+  file(GLOB scripts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/python/examples/*.py)
+  install(FILES ${scripts} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-leadscrew/examples COMPONENT python EXCLUDE_FROM_ALL)
+endif()
 include(LeadscrewPackages)

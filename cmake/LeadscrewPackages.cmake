@@ -1,6 +1,6 @@
 # Debian packages of what is installed: `cpack` in the build folder, or script/release, which also describes and signs off what
 # it makes. A package holds the components of a group; what it depends on, and the files that Debian asks of each, see
-# finish_packages.cmake. Where MPI, OpenCASCADE or the pages are not built, there is no package of them.
+# finish_packages.cmake. Where MPI, OpenCASCADE, Python or the pages are not built, there is no package of them.
 if(NOT LEADSCREW_COMMAND)
   return()
 endif()
@@ -96,10 +96,24 @@ leadscrew_package(libleadscrew_dev libleadscrew-dev libdevel COMPONENTS developm
   "the shared library, the headers of the C++ library with static archives, files"
   "for CMake's find_package(leadscrew) and for pkg-config, and examples.")
 
+if(TARGET leadscrew_python)
+  execute_process(COMMAND /usr/bin/python3 -c "import sys; print('(>= 3.%d);(<< 3.%d)' % (sys.version_info[1], sys.version_info[1] + 1))"
+    OUTPUT_VARIABLE versions OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+  list(TRANSFORM versions PREPEND "python3 ")
+  leadscrew_package(python3_leadscrew python3-leadscrew python COMPONENTS python DEPENDS ${versions} python3-numpy
+    SUGGESTS python3-matplotlib
+    DESCRIPTION "CNC part programs into motion: the package for Python"
+    "Motion of part programs and of paths from arrays as arrays of NumPy, with the"
+    "referee that judges any trace, simulated drives, kinematics, surfaces and the"
+    "interpolators of reference pulses.")
+  set(CPACK_DEBIAN_PYTHON3_LEADSCREW_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/python3/postinst
+    ${PROJECT_SOURCE_DIR}/packaging/python3/prerm)
+endif()
+
 # All that the packages hold.
 add_custom_target(packaged)
 add_dependencies(packaged leadscrew_command ${targets} ${room_targets})
-foreach(target leadscrew_pages leadscrew_server leadscrew_mpi leadscrew_exchange_program)
+foreach(target leadscrew_python leadscrew_pages leadscrew_server leadscrew_mpi leadscrew_exchange_program)
   if(TARGET ${target})
     add_dependencies(packaged ${target})
   endif()
