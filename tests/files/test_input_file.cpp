@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <leadscrew/files/input_file.hpp>
 #include <thread>
+#include <utility>
 
 #include "command.hpp"
 
@@ -58,6 +60,20 @@ TEST(InputFile, ThatWasWrittenOverIsReadNoFurther) {
   const Read again = read(*file);
   EXPECT_EQ(again.error, "program-changed");
   EXPECT_EQ(again.text, std::string(65'536, 'x'));
+}
+
+TEST(InputFile, ThatEndsBeforeItsSizeIsAnErrorNotWaitedFor) {
+  const auto source = [given = false](std::span<char> to) mutable -> base::Result<std::size_t> {
+    if (std::exchange(given, true)) return std::size_t{0};
+    std::ranges::copy(std::string_view("G1 X"), to.begin());
+    return std::size_t{4};
+  };
+  EXPECT_EQ(all_of(source, 4, "part.ngc").value_or(""), "G1 X");
+  const auto cut = all_of(source, 9, "part.ngc");
+  ASSERT_FALSE(cut.has_value());
+  EXPECT_EQ(cut.error().code, "io-read");
+  EXPECT_EQ(cut.error().place.file, "part.ngc");
+  EXPECT_NE(cut.error().message.find("ends at byte 4 but had 9"), std::string::npos) << cut.error().message;
 }
 
 TEST(InputFile, TellsThatItWasWrittenTo) {

@@ -13,6 +13,13 @@ base::Diagnostic problem(std::string_view code, std::string message, const std::
   return {base::Severity::error, code, std::move(message), std::move(hint), base::Place{.file = file}, {}};
 }
 
+base::Diagnostic ended_early(std::int64_t at, std::int64_t size, const std::string& file) {
+  return problem(
+      "io-read",
+      "ends at byte " + std::to_string(at) + " but had " + std::to_string(size) + " bytes when it was opened", file,
+      "do not change a file while it is read");
+}
+
 /// A file that has no name and goes when it is closed.
 base::Result<Descriptor> anonymous_file() {
   const char* folder = std::getenv("TMPDIR");
@@ -124,12 +131,7 @@ base::Result<std::size_t> InputFile::read_at(std::int64_t offset, std::span<char
     if (interrupted()) return base::failure(interruption());
     const ssize_t got = ::pread(descriptor_.number(), buffer.data(), static_cast<std::size_t>(wanted), offset);
     if (got > 0) return static_cast<std::size_t>(got);
-    if (got == 0) {
-      return base::failure(problem(
-          "io-read",
-          "ends at byte " + std::to_string(offset) + " but had " + std::to_string(size_) + " bytes when it was opened",
-          name_, "do not change a file while it is read"));
-    }
+    if (got == 0) return base::failure(ended_early(offset, size_, name_));
     if (errno != EINTR) return base::failure(system_failure("io-read", "cannot read", name_, errno));
   }
 }
@@ -175,11 +177,15 @@ base::Result<std::string> read_whole(const std::string& path, std::int64_t large
     return base::failure(file.error());
   }
   if (file->size() > largest) return base::failure(too_large(path, largest, hint));
-  std::string text(static_cast<std::size_t>(file->size()), '\0');
-  auto source = file->source();
+  return all_of(file->source(), file->size(), path);
+}
+
+base::Result<std::string> all_of(base::ByteSource source, std::int64_t size, const std::string& name) {
+  std::string text(static_cast<std::size_t>(size), '\0');
   for (std::size_t filled = 0; filled < text.size();) {
     const auto got = source(std::span(text).subspan(filled));
     if (!got) return base::failure(got.error());
+    if (*got == 0) return base::failure(ended_early(static_cast<std::int64_t>(filled), size, name));
     filled += *got;
   }
   return text;

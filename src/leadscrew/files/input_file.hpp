@@ -82,4 +82,7 @@ class InputFile {
 /// The whole of a small file, such as a machine file. Errors as above; `input-too-large` of a file of any kind.
 base::Result<std::string> read_whole(const std::string& path, std::int64_t largest);
 
+/// So many bytes of the source of a file with this name. Errors: those of the source; `io-read` where it ends before.
+base::Result<std::string> all_of(base::ByteSource source, std::int64_t size, const std::string& name);
+
 }  // namespace leadscrew::files

@@ -16,16 +16,8 @@ constexpr std::int64_t largest_text = 64 << 20;
 
 /// Empty of a program that is longer than a page would show.
 base::Result<std::string> text_of(const files::InputFile& program) {
-  std::string text;
-  if (program.size() > largest_text) return text;
-  text.resize(static_cast<std::size_t>(program.size()));
-  auto source = program.source();
-  for (std::size_t filled = 0; filled < text.size();) {
-    const auto got = source(std::span(text).subspan(filled));
-    if (!got) return base::failure(got.error());
-    filled += *got;
-  }
-  return text;
+  if (program.size() > largest_text) return std::string();
+  return files::all_of(program.source(), program.size(), program.name());
 }
 
 }  // namespace
