@@ -7,16 +7,33 @@
 #include <leadscrew/cli/arguments.hpp>
 #include <leadscrew/cli/pulse_arguments.hpp>
 #include <leadscrew/cli/shared_arguments.hpp>
-#include <leadscrew/results/pulse_help.hpp>
 #include <limits>
 #include <memory>
-#include <span>
 
 namespace leadscrew::cli {
 
 namespace {
 
 using nc::PulseMethod;
+
+constexpr const char* pulse_help =
+    "Examples:\n"
+    "  leadscrew pulse --arc --start 5,0 --end 0,5 --center 0,0 --ccw --method dda\n"
+    "  leadscrew pulse --arc --start 25,0 --end 25,0 --cw --svg circle.svg --vcd circle.vcd\n"
+    "  leadscrew pulse --line --end 11,-7 --method dda,bresenham --bits 4 --table\n"
+    "  leadscrew pulse --ellipse 12,7 --start 12,0 --end 0,-7 --cw --table\n"
+    "\n"
+    "Integers are BLU. A full circle ends where it starts. Each method's conventions are by default those with which "
+    "it\n"
+    "gives its published figures; --json names all that were in force.\n"
+    "\n"
+    "Columns of --table: x y from the centre or a line's start, F the deviation; n1 n2 n3 what F would be after a "
+    "step\n"
+    "of both axes, of y, of x; d = 4(d1 - d2) of improved-min-error; Jx Jy integrands, rx ry remainders, nx ny steps\n"
+    "left, n clocks left with --free, q the capacity. Of an ellipse r and q are taken so many times that all are "
+    "whole.\n"
+    "--vcd has them under the papers' names too, and says which is which: rst Val_z Val_f Val_n1\n"
+    "Sum_Z and, for koren, y1 r1 dz1.\n";
 
 /// As they are given; the curve is made of them at the end.
 struct GivenCurve {
@@ -101,50 +118,16 @@ Parsed<void> check_curve(const Command& command, const GivenCurve& given) {
   return {};
 }
 
-/// "dda and koren": the methods that have something.
-template <class Has>
-std::string names_of(const Has& has) {
-  std::vector<std::string_view> names;
-  for (const PulseMethod method : nc::all_pulse_methods) {
-    if (has(method)) names.push_back(nc::name(method));
-  }
-  const std::span all_but_last(names.begin(), names.end() - 1);
-  return fmt::format("{}{}{}", fmt::join(all_but_last, ", "), all_but_last.empty() ? "" : " and ", names.back());
-}
-
 /// An option that none of the methods has would be ignored.
 Parsed<void> check_use(const PulseArguments& arguments) {
-  const bool is_arc = arguments.curve.is_arc(), is_ellipse = arguments.curve.is_ellipse();
-  const auto check = [&](std::string_view option, bool is_given, bool nc::MethodUses::* use) -> Parsed<void> {
-    const auto has = [&](PulseMethod method) { return nc::uses_of(method).*use; };
-    const bool is_of_circles =
-        use != &nc::MethodUses::preload && use != &nc::MethodUses::capacity && use != &nc::MethodUses::order;
-    const bool is_of_arcs = is_of_circles || use == &nc::MethodUses::order;
-    const bool is_used = std::any_of(arguments.methods.begin(), arguments.methods.end(), has) &&
-                         (is_arc || !is_of_arcs) && !(is_ellipse && is_of_circles);
-    if (!is_given || is_used) return {};
-    return wrong("{} is for {}{}", option,
-                 is_ellipse   ? "arcs of circles by "
-                 : is_of_arcs ? "arcs by "
-                              : "",
-                 names_of(has));
-  };
   const nc::MethodOptions& options = arguments.options;
   if (options.bits && options.capacity)
     return wrong("--bits and --capacity: registers of N bits have the capacity 2^N, give one of the two");
-  return check("--preload", options.preload.has_value(), &nc::MethodUses::preload)
-      .and_then([&] { return check("--capacity", options.capacity.has_value(), &nc::MethodUses::capacity); })
-      .and_then([&] { return check("--order", options.order.has_value(), &nc::MethodUses::order); })
-      .and_then([&] { return check("--free", options.free, &nc::MethodUses::free); })
-      .and_then([&] { return check("--places", options.places.has_value(), &nc::MethodUses::places); })
-      .and_then(
-          [&] { return check("--accumulation", options.accumulation.has_value(), &nc::MethodUses::accumulation); })
-      .and_then([&] { return check("--tie", options.tie.has_value(), &nc::MethodUses::tie); })
-      .and_then([&]() -> Parsed<void> {
-        const std::string_view conflict = nc::conflict_of(options, arguments.curve);
-        if (conflict.empty()) return {};
-        return wrong("{}", conflict);
-      });
+  const std::string unused = nc::unused_option(options, arguments.methods, arguments.curve);
+  if (!unused.empty()) return wrong("--{}", unused);
+  const std::string_view conflict = nc::conflict_of(options, arguments.curve);
+  if (!conflict.empty()) return wrong("{}", conflict);
+  return {};
 }
 
 /// Of what is told on standard output.
@@ -236,7 +219,7 @@ void describe_pulse(Command& command, Arguments& arguments) {
         .and_then([&] { return check_outputs(arguments.pulse, arguments.json); })
         .and_then([&] { return check_use(arguments.pulse); });
   });
-  command.help(std::string(results::pulse_help));
+  command.help(pulse_help);
 }
 
 }  // namespace leadscrew::cli

@@ -163,6 +163,47 @@ std::string_view name(pulse::Accumulation accumulation) {
   return names[static_cast<std::size_t>(accumulation)];
 }
 
+namespace {
+
+/// "dda and koren": the methods that have something.
+std::string names_of_those_with(bool MethodUses::* use) {
+  std::vector<std::string_view> names;
+  for (const PulseMethod method : all_pulse_methods) {
+    if (uses_of(method).*use) names.push_back(name(method));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 < names.size() ? ", " : " and ").append(names[i]);
+  return text;
+}
+
+}  // namespace
+
+std::string unused_option(const MethodOptions& options, std::span<const PulseMethod> methods, const PulseCurve& curve) {
+  struct Asked {
+    std::string_view name;
+    bool is_given;
+    bool MethodUses::* use;
+  };
+  const std::array<Asked, 7> all = {{{"preload", options.preload.has_value(), &MethodUses::preload},
+                                     {"capacity", options.capacity.has_value(), &MethodUses::capacity},
+                                     {"order", options.order.has_value(), &MethodUses::order},
+                                     {"free", options.free, &MethodUses::free},
+                                     {"places", options.places.has_value(), &MethodUses::places},
+                                     {"accumulation", options.accumulation.has_value(), &MethodUses::accumulation},
+                                     {"tie", options.tie.has_value(), &MethodUses::tie}}};
+  const bool is_ellipse = curve.is_ellipse();
+  for (const auto& [option, is_given, use] : all) {
+    const bool is_of_circles = use != &MethodUses::preload && use != &MethodUses::capacity && use != &MethodUses::order;
+    const bool is_of_arcs = is_of_circles || use == &MethodUses::order;
+    const bool is_had = std::ranges::any_of(methods, [=](PulseMethod method) { return uses_of(method).*use; });
+    if (!is_given || (is_had && (curve.is_arc() || !is_of_arcs) && !(is_ellipse && is_of_circles))) continue;
+    const std::string_view of = is_ellipse ? "arcs of circles by " : is_of_arcs ? "arcs by " : "";
+    return std::string(option).append(" is for ").append(of) + names_of_those_with(use);
+  }
+  return {};
+}
+
 std::string_view conflict_of(const MethodOptions& options, const PulseCurve& curve) {
   const bool is_circle = curve.is_arc() && !curve.is_ellipse();
   if (options.places && (!is_circle || options.free))

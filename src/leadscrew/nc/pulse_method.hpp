@@ -23,6 +23,8 @@
 #include <leadscrew/pulse/circular_search.hpp>
 #include <leadscrew/pulse/free_circle.hpp>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace leadscrew::nc {
@@ -93,6 +95,10 @@ struct MethodOptions {
   /// Of those that run freely: how remainders take negative integrands. Preload::minus_one is for magnitudes.
   std::optional<pulse::Accumulation> accumulation{};
 };
+
+/// The first of the options that were asked for which none of these methods has on this curve, and of what it is: "order is for
+/// arcs by dda and koren". Empty where each is used.
+std::string unused_option(const MethodOptions& options, std::span<const PulseMethod> methods, const PulseCurve& curve);
 
 /// What is wrong with options that do not go together on this curve; empty where nothing is.
 std::string_view conflict_of(const MethodOptions& options, const PulseCurve& curve);
