@@ -71,6 +71,20 @@ RC_GTEST_PROP(RandomNurbs, SayTheSameUnroundedAndByRates, ()) {
   }
 }
 
+/// Side by side as alone, to the last bit.
+RC_GTEST_PROP(RandomNurbs, HaveTheSameDerivativesAtTwoPlacesAtOnce, ()) {
+  for (const Nurbs& piece : random_parts(random_form())) {
+    const numeric::Pair places = {random_place(piece), random_place(piece)};
+    const PointJetOf<numeric::Pair> both = piece.jets(places);
+    for (const std::size_t lane : {0, 1}) {
+      const PointJet alone = piece.jets(places[lane]);
+      for (std::size_t i = 0; i < alone.size(); ++i) {
+        for (const std::size_t order : {0, 1, 2, 3}) RC_ASSERT(both[i][order][lane] == alone[i][order]);
+      }
+    }
+  }
+}
+
 RC_GTEST_PROP(RandomNurbs, HavePartsThatAreThemselves, ()) {
   const NurbsForm form = random_form();
   for (const Nurbs& piece : smooth_pieces(form)) {

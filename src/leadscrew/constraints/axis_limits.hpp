@@ -46,9 +46,10 @@ class AxisVelocity {
   explicit AxisVelocity(const machine::Machine& machine) : bounds_(machine, &machine::AxisLimits::velocity) {}
 
   double limit(std::size_t axis) const { return bounds_.of(axis); }
-  template <typename Take>
-  void rows(const Place& at, const Take& take) const {
-    for (const auto& [axis, limit] : bounds_.all()) take(axis, SpeedRow{at.jet[axis].first, limit});
+  template <typename T, typename Take>
+  void rows(const PlaceOf<T>& at, const Take& take) const {
+    for (const auto& [axis, limit] : bounds_.all())
+      take(axis, SpeedRowOf<T>{at.jet[axis].first, numeric::all<T>(limit)});
   }
 
  private:
@@ -64,11 +65,11 @@ class AxisAcceleration {
   explicit AxisAcceleration(const machine::Machine& machine) : bounds_(machine, &machine::AxisLimits::acceleration) {}
 
   double limit(std::size_t axis) const { return bounds_.of(axis); }
-  template <typename Take>
-  void rows(const Place& at, const Take& take) const {
+  template <typename T, typename Take>
+  void rows(const PlaceOf<T>& at, const Take& take) const {
     for (const auto& [axis, limit] : bounds_.all()) {
-      const numeric::Jet<>& q = at.jet[axis];
-      take(axis, AccelerationRow{q.second, q.first, limit});
+      const numeric::Jet<3, T>& q = at.jet[axis];
+      take(axis, AccelerationRowOf<T>{q.second, q.first, numeric::all<T>(limit)});
     }
   }
 
@@ -85,11 +86,11 @@ class AxisJerk {
   explicit AxisJerk(const machine::Machine& machine) : bounds_(machine, &machine::AxisLimits::jerk) {}
 
   double limit(std::size_t axis) const { return bounds_.of(axis); }
-  template <typename Take>
-  void rows(const Place& at, const Take& take) const {
+  template <typename T, typename Take>
+  void rows(const PlaceOf<T>& at, const Take& take) const {
     for (const auto& [axis, limit] : bounds_.all()) {
-      const numeric::Jet<>& q = at.jet[axis];
-      take(axis, JerkRow{q.third, 3 * q.second, q.first, limit});
+      const numeric::Jet<3, T>& q = at.jet[axis];
+      take(axis, JerkRowOf<T>{q.third, 3 * q.second, q.first, numeric::all<T>(limit)});
     }
   }
 

@@ -14,7 +14,8 @@
 //                        bounds time, too
 //     is_smooth          does its ratio run smoothly along a piece, so that a parabola through samples finds a peak?
 //     rows(place, take)  calls take(index, row); rows of one index are the same limit all along a path, and are given
-//                        at every place, be it that they bound nothing there
+//                        at every place, be it that they bound nothing there; if it is proven, also of two places side
+//                        by side
 //     limit(axis)        if it is of axes: that axis', infinite without one
 //     name               if it is not: as reports name it
 //
@@ -176,6 +177,16 @@ class Constraints {
         double& greatest = ratios[LimitRatios::offset<kind> + index];
         greatest = std::max(greatest, row.ratio(rates));
       }
+    });
+  }
+
+  /// Calls visit(std::integral_constant<std::size_t, kind>, index, row) for every row of the proven kinds, of two places
+  /// side by side.
+  template <typename Visit>
+  void each_proven_row(const PlaceOf<numeric::Pair>& at, const Visit& visit) const {
+    for_each_kind([&](auto kind) {
+      if constexpr (KindAt<kind>::is_proven)
+        std::get<kind>(kinds_).rows(at, [&](std::size_t index, const auto& row) { visit(kind, index, row); });
     });
   }
 

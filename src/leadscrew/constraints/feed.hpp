@@ -16,9 +16,9 @@ class ProgrammedFeed {
 
   explicit ProgrammedFeed(const machine::Machine&) {}
 
-  template <typename Take>
-  void rows(const Place& at, const Take& take) const {
-    take(0, SpeedRow{1, at.feed});
+  template <typename T, typename Take>
+  void rows(const PlaceOf<T>& at, const Take& take) const {
+    take(0, SpeedRowOf<T>{numeric::all<T>(1), at.feed});
   }
 };
 

@@ -13,8 +13,8 @@
 //
 // limit and greatest are > 0 and may be infinite; a row whose coefficients are all 0 bounds nothing there.
 
-#include <cmath>
 #include <leadscrew/geometry/point.hpp>
+#include <leadscrew/numeric/pair.hpp>
 #include <limits>
 #include <optional>
 
@@ -28,48 +28,61 @@ struct Chords {
   std::optional<double> bend{};
 };
 
-/// A place on a path: what limits are asked at.
-struct Place {
-  const geometry::PointJet& jet;  ///< axis positions and derivatives by path length, mm or degrees
-  double feed = 0;                ///< greatest speed by the programmed feed, units of path length per second; > 0
+/// A place on a path: what limits are asked at. Of a number, or of two places side by side: T is double or numeric::Pair,
+/// here and in all that follows.
+template <typename T>
+struct PlaceOf {
+  const geometry::PointJetOf<T>& jet;  ///< axis positions and derivatives by path length, mm or degrees
+  T feed{};                            ///< greatest speed by the programmed feed, units of path length per second; > 0
   Chords chords{};
 };
+using Place = PlaceOf<double>;
 
 /// How the path is travelled at one instant: ṡ, s̈, s⃛, units of path length and seconds.
-struct PathRates {
-  double speed = 0, acceleration = 0, jerk = 0;
+template <typename T>
+struct PathRatesOf {
+  T speed{}, acceleration{}, jerk{};
 };
+using PathRates = PathRatesOf<double>;
 
-struct SpeedRow {
-  double rate = 0, limit = 0;
+template <typename T>
+struct SpeedRowOf {
+  T rate{}, limit{};
 
   /// Value over limit.
-  double ratio(const PathRates& at) const { return std::abs(rate * at.speed) / limit; }
+  T ratio(const PathRatesOf<T>& at) const { return numeric::magnitude(rate * at.speed) / limit; }
 };
+using SpeedRow = SpeedRowOf<double>;
 
-struct SquareRow {
-  double greatest = 0;
+template <typename T>
+struct SquareRowOf {
+  T greatest{};
 
-  double ratio(const PathRates& at) const { return std::abs(at.speed) / std::sqrt(greatest); }
+  T ratio(const PathRatesOf<T>& at) const { return numeric::magnitude(at.speed) / numeric::root(greatest); }
 };
+using SquareRow = SquareRowOf<double>;
 
-struct AccelerationRow {
-  double by_x = 0, by_b = 0, limit = std::numeric_limits<double>::infinity();
+template <typename T>
+struct AccelerationRowOf {
+  T by_x{}, by_b{}, limit = numeric::all<T>(std::numeric_limits<double>::infinity());
 
   bool bounds() const { return by_x != 0 || by_b != 0; }
-  double ratio(const PathRates& at) const {
-    return std::abs(by_x * at.speed * at.speed + by_b * at.acceleration) / limit;
+  T ratio(const PathRatesOf<T>& at) const {
+    return numeric::magnitude(by_x * at.speed * at.speed + by_b * at.acceleration) / limit;
   }
 };
+using AccelerationRow = AccelerationRowOf<double>;
 
-struct JerkRow {
-  double by_x = 0, by_b = 0, by_c = 0, limit = std::numeric_limits<double>::infinity();
+template <typename T>
+struct JerkRowOf {
+  T by_x{}, by_b{}, by_c{}, limit = numeric::all<T>(std::numeric_limits<double>::infinity());
 
   bool bounds() const { return by_x != 0 || by_b != 0 || by_c != 0; }
-  double ratio(const PathRates& at) const {
-    const double v = at.speed;
-    return std::abs(by_x * v * v * v + by_b * v * at.acceleration + by_c * at.jerk) / limit;
+  T ratio(const PathRatesOf<T>& at) const {
+    const T v = at.speed;
+    return numeric::magnitude(by_x * v * v * v + by_b * v * at.acceleration + by_c * at.jerk) / limit;
   }
 };
+using JerkRow = JerkRowOf<double>;
 
 }  // namespace leadscrew::constraints

@@ -11,6 +11,7 @@ namespace leadscrew::geometry {
 
 using numeric::DoubleDouble;
 using numeric::Jet;
+using numeric::Pair;
 
 namespace {
 
@@ -53,18 +54,20 @@ void evaluate_record(const NurbsTable& table, const double* record, double sigma
   }
 }
 
-/// Two coordinates that are worked on together, as any vector unit holds them.
-using Pair = double __attribute__((vector_size(16)));
-
-/// A number of a coordinate's, or of two whose numbers lie `stride` apart.
+/// A number of a coordinate's, or of two: of two coordinates, or of one at two places.
 template <typename T>
-T load(const double* number, [[maybe_unused]] std::size_t stride) {
-  if constexpr (std::is_same_v<T, Pair>) {
-    return Pair{number[0], number[stride]};
-  } else {
-    return *number;
+struct Numbers {
+  const double *first = nullptr, *second = nullptr;
+
+  T operator[](std::size_t k) const {
+    if constexpr (std::is_same_v<T, Pair>) {
+      return Pair{first[k], second[k]};
+    } else {
+      return first[k];
+    }
   }
-}
+  Numbers operator+(std::size_t k) const { return {first + k, second + k}; }
+};
 inline double lane(double value, std::size_t) {
   return value;
 }
@@ -74,40 +77,40 @@ inline double lane(Pair values, std::size_t k) {
 
 /// What a record's coordinates are made of: the denominator's reciprocal with its derivatives by x, 1 unless the curve
 /// is rational; and x itself, with derivatives by what is asked for.
+template <typename T>
 struct RecordPlace {
-  Jet<> scale = 1, x;
+  Jet<3, T> scale = numeric::all<T>(1), x;
 };
 
 /// One coordinate or two beside one another, from their first number on, with derivatives as those of place.x.
 /// Operations are those of Jet: a coordinate gives the same bits alone and beside another.
-template <typename T>
-Jet<3, T> coordinate_jets(const NurbsTable& table, const double* numbers, const RecordPlace& place) {
-  const std::size_t stride = table.degree + 2;
-  const double x = place.x.value;
+template <typename T, typename X>
+Jet<3, T> coordinate_jets(const NurbsTable& table, Numbers<T> numbers, const RecordPlace<X>& place) {
+  const X x = place.x.value;
   T value{}, first{}, half{}, sixth{};
   for (std::size_t k = table.degree + 1; k-- > 0;) {
     sixth = sixth * x + half;
     half = half * x + first;
     first = first * x + value;
-    value = value * x + load<T>(numbers + 1 + k, stride);
+    value = value * x + numbers[1 + k];
   }
   T second = 2.0 * half, third = 6.0 * sixth;
   if (table.rational) {
-    const Jet<>& w = place.scale;
+    const Jet<3, X>& w = place.scale;
     third = third * w.value + 3.0 * second * w.first + 3.0 * first * w.second + value * w.third;
     second = second * w.value + 2.0 * first * w.first + value * w.second;
     first = first * w.value + value * w.first;
     value = value * w.value;
   }
-  const Jet<>& u = place.x;  // Faà di Bruno's formula
-  return {load<T>(numbers, stride) + value, first * u.first, second * u.first * u.first + first * u.second,
+  const Jet<3, X>& u = place.x;  // Faà di Bruno's formula
+  return {numbers[0] + value, first * u.first, second * u.first * u.first + first * u.second,
           third * u.first * u.first * u.first + 3.0 * second * u.first * u.second + first * u.third};
 }
 
 template <typename T>
-void set_coordinates(const NurbsTable& table, const double* numbers, const RecordPlace& place, std::size_t k,
+void set_coordinates(const NurbsTable& table, const double* numbers, const RecordPlace<double>& place, std::size_t k,
                      PointJet& jets) {
-  const Jet<3, T> both = coordinate_jets<T>(table, numbers, place);
+  const Jet<3, T> both = coordinate_jets<T>(table, {numbers, numbers + table.degree + 2}, place);
   for (std::size_t i = 0; i < sizeof(T) / sizeof(double); ++i) {
     jets[table.moving[k + i]] = {lane(both.value, i), lane(both.first, i), lane(both.second, i), lane(both.third, i)};
   }
@@ -118,7 +121,7 @@ PointJet record_jets(const NurbsTable& table, const double* record, const Jet<>&
   PointJet jets;
   for (std::size_t i = 0; i < rest.size(); ++i) jets[i].value = rest[i];
   const double* numbers = record + NurbsTable::polynomials;
-  RecordPlace place{1, x};
+  RecordPlace<double> place{1, x};
   if (table.rational) {
     place.scale =
         numeric::reciprocal(Jet<>(1) + polynomial_jet(numbers, table.degree - 1, x.value) * Jet<>::parameter(x.value));
@@ -128,6 +131,22 @@ PointJet record_jets(const NurbsTable& table, const double* record, const Jet<>&
   for (; k + 1 < table.moving_count; k += 2, numbers += 2 * (table.degree + 2))
     set_coordinates<Pair>(table, numbers, place, k, jets);
   if (k < table.moving_count) set_coordinates<double>(table, numbers, place, k, jets);
+  return jets;
+}
+
+/// Of two places, each by its own record.
+PointJetOf<Pair> record_jets(const NurbsTable& table, Numbers<Pair> records, const Jet<3, Pair>& x, const Point& rest) {
+  PointJetOf<Pair> jets;
+  for (std::size_t i = 0; i < rest.size(); ++i) jets[i].value = numeric::all<Pair>(rest[i]);
+  Numbers<Pair> numbers = records + NurbsTable::polynomials;
+  RecordPlace<Pair> place{numeric::all<Pair>(1), x};
+  if (table.rational) {
+    const Jet<3, Pair> weight = polynomial_jet(numbers, table.degree - 1, x.value) * Jet<3, Pair>::parameter(x.value);
+    place.scale = numeric::reciprocal(Jet<3, Pair>(numeric::all<Pair>(1)) + weight);
+    numbers = numbers + table.degree;
+  }
+  for (std::size_t k = 0; k < table.moving_count; ++k, numbers = numbers + (table.degree + 2))
+    jets[table.moving[k]] = coordinate_jets(table, numbers, place);
   return jets;
 }
 
@@ -247,6 +266,21 @@ Nurbs::Located Nurbs::locate(double s) const {
 PointJet Nurbs::jets(double s) const {
   const Located at = locate(s);
   return record_jets(*table_, at.record, at.x, start_);
+}
+
+PointJetOf<Pair> Nurbs::jets(Pair s) const {
+  Numbers<Pair> records;
+  Pair sigma;
+  const auto locate = [&](std::size_t lane) {
+    const std::size_t index = record_at(std::clamp(s[lane], 0.0, length_));
+    const double* const record = table_->record(index);
+    sigma[lane] = s[lane] - table_->nodes[index] - record[NurbsTable::s_low];
+    return record;
+  };
+  records.first = locate(0);
+  records.second = locate(1);
+  const Jet<3, Pair> x = polynomial_jet(records + NurbsTable::map, 4, sigma) * Jet<3, Pair>::parameter(sigma);
+  return record_jets(*table_, records, x, start_);
 }
 
 double Nurbs::parameter(double s) const {

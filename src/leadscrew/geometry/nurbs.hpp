@@ -72,6 +72,8 @@ class Nurbs {
   UnroundedPoint evaluate_unrounded(numeric::DoubleDouble s) const;
   /// Of exactly what evaluate() computes; 0 ≤ s ≤ length.
   PointJet jets(double s) const;
+  /// At two places side by side, each to the last bit as alone.
+  PointJetOf<numeric::Pair> jets(numeric::Pair s) const;
   Rates rates(double s, std::size_t first) const;
 
   /// u at arc length s, 0 ≤ s ≤ length.

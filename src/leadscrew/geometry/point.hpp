@@ -8,13 +8,17 @@
 #include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/jet.hpp>
+#include <leadscrew/numeric/pair.hpp>
 #include <span>
 #include <vector>
 
 namespace leadscrew::geometry {
 
 using Point = base::AxisVector;
-using PointJet = std::array<numeric::Jet<>, base::axis_count>;
+/// Of one place, or of two side by side: T is double or numeric::Pair.
+template <typename T>
+using PointJetOf = std::array<numeric::Jet<3, T>, base::axis_count>;
+using PointJet = PointJetOf<double>;
 /// First derivatives of X Y Z, U V W or A B C.
 using Rates = std::array<double, 3>;
 /// X, Y and Z turned and shifted, all other coordinates as they are.
@@ -45,9 +49,10 @@ constexpr void set(numeric::Compensated& coordinate, double sum, double error) {
 }
 
 /// |q″| of X, Y and Z: where the jet is by the tool tip's path length, the curvature 1/ρ of its path, 1/mm.
-inline double tip_curvature(const PointJet& jet) {
-  const double x = jet[0].second, y = jet[1].second, z = jet[2].second;
-  return std::sqrt(x * x + y * y + z * z);
+template <typename T>
+T tip_curvature(const PointJetOf<T>& jet) {
+  const T x = jet[0].second, y = jet[1].second, z = jet[2].second;
+  return numeric::root(x * x + y * y + z * z);
 }
 
 /// A path length in double-double, its greater part split into halves for exact products (Dekker).

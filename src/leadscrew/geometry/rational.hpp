@@ -13,8 +13,9 @@
 namespace leadscrew::geometry {
 
 /// Value and three derivatives by x of c[0] + c[1] x + … + c[degree] x^degree, by Horner's rule.
-inline numeric::Jet<> polynomial_jet(const double* c, std::size_t degree, double x) {
-  double value = 0, first = 0, half = 0, sixth = 0;
+template <typename Coefficients, typename T>
+numeric::Jet<3, T> polynomial_jet(const Coefficients& c, std::size_t degree, T x) {
+  T value{}, first{}, half{}, sixth{};
   for (std::size_t k = degree + 1; k-- > 0;) {
     sixth = sixth * x + half;
     half = half * x + first;

@@ -64,8 +64,7 @@ T dot(const Vector& fixed, const Vector3<T>& v) {
   return scaled(v[0], fixed[0]) + scaled(v[1], fixed[1]) + scaled(v[2], fixed[2]);
 }
 
-/// Two coordinates that are worked on together, as any vector unit holds them.
-using Pair = double __attribute__((vector_size(16)));
+using numeric::Pair;
 
 /// Turned about z, so to speak, with derivatives: (v_i, v_j) c + (−v_j, v_i) s. The bits are those of products of jets.
 inline void rotate_principal(numeric::Jet<>& a, numeric::Jet<>& b, const numeric::Jet<>& c, const numeric::Jet<>& s) {

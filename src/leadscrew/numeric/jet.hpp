@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <leadscrew/numeric/functions.hpp>
+#include <leadscrew/numeric/pair.hpp>
 
 namespace leadscrew::numeric {
 
@@ -67,7 +68,7 @@ struct Jet<3, T> {
   constexpr Jet(T f, T f1, T f2, T f3) : value(f), first(f1), second(f2), third(f3) {}
 
   /// The parameter itself, at u.
-  static constexpr Jet parameter(T u) { return {u, 1, 0, 0}; }
+  static constexpr Jet parameter(T u) { return {u, all<T>(1), T{}, T{}}; }
 
   constexpr const T& operator[](std::size_t order) const {
     return order == 0 ? value : order == 1 ? first : order == 2 ? second : third;

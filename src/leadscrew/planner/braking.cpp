@@ -3,6 +3,7 @@
 #include <leadscrew/planner/braking.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/planner/proof.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <utility>
 
@@ -144,7 +145,7 @@ class Braking {
       const Segment stop = stop_within(from, t);
       if (end_of(stop) > farthest || !(3 * from.speed + from.acceleration * t >= 0)) return std::nullopt;
       if (is_seen_to_fail(stop, section_, constraints_, feed_factor_)) continue;
-      if (greatest_ratios(stop, section_, constraints_, feed_factor_, close_looks).worst() <= 1) return stop;
+      if (greatest_ratios(stop, section_, constraints_, feed_factor_, stop_looks).worst() <= 1) return stop;
     }
     return std::nullopt;
   }

@@ -2,6 +2,7 @@
 #include <leadscrew/planner/early_stop.hpp>
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
+#include <leadscrew/planner/proof.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <span>
 #include <utility>

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <leadscrew/numeric/bisection.hpp>
 #include <leadscrew/numeric/gauss.hpp>
 #include <leadscrew/planner/emission.hpp>
-#include <leadscrew/planner/limit_ratios.hpp>
+#include <leadscrew/planner/proof.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
 
@@ -14,12 +13,10 @@ namespace {
 
 using base::MotionState;
 using constraints::Constraints;
-using constraints::LimitRatios;
 using numeric::DoubleDouble;
 
 using namespace tuning::proof;
 
-constexpr double turning_back = 1.5;  // ratio that stands for a motion that goes back
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// s(τ) along the section, by a quintic with the speeds and accelerations of both ends (Hermite).
@@ -39,68 +36,6 @@ Segment quintic(const PathState& from, const PathState& to, double duration) {
   return segment;
 }
 
-/// The greatest of values ≥ 0 at even steps, raised to the vertex of the parabola through every three of them where that may
-/// lie above 1: it is no higher than 4/3 of the middle one. NaN counts as infinity: it exceeds every limit.
-class Peak {
- public:
-  void look(double value) {
-    if (!(value <= greatest_)) greatest_ = std::isnan(value) ? infinity : value;
-    if (++looks_ > 2 && last_ > 0.74) {
-      const double bend = 2 * last_ - before_last_ - value, slope = (value - before_last_) / 2;
-      if (std::abs(slope) < bend) greatest_ = std::max(greatest_, last_ + slope * slope / (2 * bend));
-    }
-    before_last_ = last_;
-    last_ = value;
-  }
-  double greatest() const { return greatest_; }
-
- private:
-  int looks_ = 0;
-  double last_ = 0, before_last_ = 0, greatest_ = 0;
-};
-
-/// Of every limit by itself: where one takes over from another, the greater of both has a kink, whose peak no parabola
-/// finds.
-class Peaks {
- public:
-  /// moving: axes; rows of others are 0 at every place.
-  explicit Peaks(base::AxisSet moving) : moving_(moving) {}
-
-  void look(const Constraints& constraints, const constraints::Place& place, const PathState& at, double on_speed) {
-    constraints.each_row(place, [&](auto kind, std::size_t index, const auto& row) {
-      using Kind = constraints::KindAt<kind>;
-      if constexpr (Kind::is_of_axes) {
-        if (!moving_.contains(base::all_axes[index])) return;
-      }
-      if constexpr (Kind::is_proven) {
-        const std::size_t i = LimitRatios::offset<kind> + index;
-        const double ratio = row.ratio(rates(at));
-        if constexpr (Kind::is_smooth) {
-          peaks_[i].look(constraints::is_speed<typename Kind::Row> ? ratio * on_speed : ratio);
-        } else {
-          jumping_[i] = std::max(jumping_[i], ratio);
-        }
-      }
-    });
-  }
-  LimitRatios greatest() const {
-    LimitRatios greatest = jumping_;
-    for (std::size_t i = 0; i < LimitRatios::size; ++i) greatest[i] = std::max(greatest[i], peaks_[i].greatest());
-    return greatest;
-  }
-
- private:
-  base::AxisSet moving_;
-  std::array<Peak, LimitRatios::size> peaks_;
-  LimitRatios jumping_;  ///< of what does not run smoothly
-};
-
-/// Where polynomials are many, most are those of a curve's table of arc length, which run smoothly from one to the next.
-int looks_at_polynomials(std::size_t count) {
-  const std::size_t close = std::min(count, few_polynomials), seen = std::min(count, most_borders);
-  return looks_per_polynomial * static_cast<int>(close) + looks_per_more * static_cast<int>(seen - close);
-}
-
 /// The same polynomial from a later time on.
 Segment later(const Segment& segment, double t) {
   Segment rest = segment;
@@ -113,12 +48,6 @@ Segment later(const Segment& segment, double t) {
   rest.c3 = c3 + t * (4 * c4 + t * 10 * c5);
   rest.c4 = c4 + 5 * t * c5;
   return rest;
-}
-
-/// The least speed where acceleration, a cubic, passes from below 0 at one time to above 0 at another.
-double least_speed(const Segment& segment, double from, double to) {
-  const auto slows_down = [&](double t) { return evaluate(segment, t).acceleration < 0; };
-  return evaluate(segment, numeric::bisect(from, to, 20, slows_down).from).speed;
 }
 
 class Emitter {
@@ -206,57 +135,6 @@ Segment along_interval(const SpeedProfile& profile, std::size_t k, double begin,
 
 Emission emit(const SpeedProfile& profile, double begin, double end) {
   return Emitter(profile, begin).emit(end);
-}
-
-Ratios greatest_ratios(const Segment& segment, const Section& section, const Constraints& constraints,
-                       double feed_factor, int looks) {
-  // Every polynomial of the curve is looked at.
-  const double end = evaluate(segment, segment.duration.value()).s;
-  const std::size_t borders = section.borders(segment.s0.value(), end);
-  looks = std::max(looks, looks_at_polynomials(borders + 1));
-  const auto has_table = [&](std::size_t piece) { return section.piece(piece).axes().has_table(); };
-  const std::size_t first = section.piece_at(segment.s0.value(), Side::right);
-  const std::size_t last = section.piece_at(end, Side::left);
-  const double on_curves = borders > most_borders ? dense_steps : has_table(first) || has_table(last) ? map_steps : 1;
-  const auto look_at = [&](std::size_t piece, double s, Side side) {
-    return seen_place_without_chords(section.piece(piece), s - section.offset(piece), side);
-  };
-  base::AxisSet moving;
-  for (std::size_t p = first; p <= last; ++p) moving.insert(section.piece(p).axes().moving());
-  Peaks peaks(moving);
-  double fastest = 0, slowest = infinity;
-  PathState before;
-  std::size_t piece = first;
-  const double duration = segment.duration.value();
-  for (int k = 0; k <= looks; ++k) {
-    const PathState at = evaluate(segment, duration * k / looks);
-    fastest = std::max(fastest, at.speed);
-    slowest = std::min(slowest, at.speed);
-    if (k > 0 && before.acceleration < 0 && at.acceleration > 0)
-      slowest = std::min(slowest, least_speed(segment, duration * (k - 1) / looks, duration * k / looks));
-    before = at;
-    while (piece < last && section.offset(piece + 1) < at.s) ++piece;
-    const SeenPlace seen = look_at(piece, at.s, k == 0 ? Side::right : Side::left);
-    peaks.look(constraints, seen.at_feed(feed_factor), at, turns(seen.jet) ? between_looks : 1);
-  }
-  // Where pieces meet inside the segment, or q‴ jumps, on both sides: one may be too short for any of the looks.
-  LimitRatios ratios = peaks.greatest();
-  const auto look_on_both_sides = [&](double s, std::size_t before_it, std::size_t behind_it) {
-    const PathState at = evaluate(segment, time_at(segment, s));
-    constraints.raise(look_at(before_it, s, Side::left).at_feed(feed_factor), rates(at), ratios);
-    constraints.raise(look_at(behind_it, s, Side::right).at_feed(feed_factor), rates(at), ratios);
-  };
-  for (std::size_t p = first; p <= last; ++p) {
-    if (p > first) look_on_both_sides(section.offset(p), p - 1, p);
-    const double offset = section.offset(p);
-    for (const double s : section.piece(p).axes().breaks(segment.s0.value() - offset, end - offset))
-      look_on_both_sides(offset + s, p, p);
-  }
-  const machine::Derivatives greatest = ratios.by_derivative();
-  constexpr double rounding = 1e-9;
-  const bool turns_back = slowest < -rounding * fastest;
-  const double rows = std::max(greatest.acceleration, greatest.jerk * on_curves) * between_looks;
-  return {greatest.velocity, turns_back ? std::max(turning_back, rows) : rows, turns_back};
 }
 
 Segment stop_within(const PathState& from, double t) {

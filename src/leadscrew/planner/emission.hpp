@@ -1,6 +1,5 @@
 #pragma once
-// From a profile of speed over path length to motion in time: segments, the proof that they keep every limit, and the
-// shortest stop.
+// From a profile of speed over path length to motion in time: segments, and the shortest stop.
 
 #include <cstddef>
 #include <leadscrew/constraints/constraints.hpp>
@@ -31,15 +30,6 @@ PathState state_at(const SpeedProfile& profile, std::size_t interval, double u);
 double travel_time(const SpeedProfile& profile, std::size_t interval, double from = 0, double to = 1);
 /// Along a part of an interval, from `from` on, which becomes where it ends.
 Segment along_interval(const SpeedProfile& profile, std::size_t interval, double begin, double end, PathState& from);
-
-/// Samples of the proof on a segment between knots; the closer ones where knots lie far apart for how speed falls.
-inline constexpr int usual_looks = 12, close_looks = 32;
-/// The largest ratios of speed, and of acceleration and jerk, seen at `looks` samples a segment, and between them
-/// where that may exceed a limit. Speed is judged by
-/// `feed_factor` times the programmed one, too. A motion that turns back counts as one that exceeds acceleration by
-/// half, so that it is planned again deeper inside the limits.
-Ratios greatest_ratios(const Segment& segment, const Section& section, const constraints::Constraints& constraints,
-                       double feed_factor, int looks);
 
 /// From motion to rest in t seconds: speed falls by a cubic from the speed and the acceleration there are to 0 and 0,
 /// v(u) = (1 − u)²(v + u(2v + at)), u = τ/t. Jerk is (4at + 6v)/t² against the motion at first and (6v + 2at)/t² at

@@ -6,7 +6,8 @@
 
 namespace leadscrew::planner {
 
-constexpr constraints::PathRates rates(const PathState& at) {
+template <typename T>
+constexpr constraints::PathRatesOf<T> rates(const PathStateOf<T>& at) {
   return {at.speed, at.acceleration, at.jerk};
 }
 

@@ -4,6 +4,7 @@
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/knots.hpp>
 #include <leadscrew/planner/look_ahead.hpp>
+#include <leadscrew/planner/proof.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <limits>
 

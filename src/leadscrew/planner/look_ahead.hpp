@@ -71,7 +71,7 @@ class LookAhead {
   bool has_failed() const { return failed_; }
 
   /// The next chunk, once enough of the section is known; never again after the one that ends where the section ends.
-  /// Velocity, acceleration and jerk of every axis stay inside their limits, evaluated twelve times a segment on what
+  /// Velocity, acceleration and jerk of every axis stay inside their limits, looked at twelve times a segment or more on what
   /// the cycle will evaluate: what an optimum leaves above a limit between its knots is planned again with tightened
   /// rows.
   std::optional<Chunk> plan();

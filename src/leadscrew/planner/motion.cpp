@@ -34,7 +34,10 @@ base::PassedEvent passed_at(base::Tick tick, const PlacedEvent& event) {
   return passed;
 }
 
-PathState evaluate(const Segment& segment, double tau) {
+namespace {
+
+template <typename T>
+PathStateOf<T> state_after(const Segment& segment, T tau) {
   const double c0 = segment.s0.value(), c1 = segment.v0.value();
   const double c2 = segment.c2, c3 = segment.c3, c4 = segment.c4, c5 = segment.c5;
   return {
@@ -43,6 +46,16 @@ PathState evaluate(const Segment& segment, double tau) {
       .acceleration = 2 * c2 + tau * (6 * c3 + tau * (12 * c4 + tau * 20 * c5)),
       .jerk = 6 * c3 + tau * (24 * c4 + tau * 60 * c5),
   };
+}
+
+}  // namespace
+
+PathState evaluate(const Segment& segment, double tau) {
+  return state_after(segment, tau);
+}
+
+PathStateOf<numeric::Pair> evaluate(const Segment& segment, numeric::Pair tau) {
+  return state_after(segment, tau);
 }
 
 double time_at(const Segment& segment, double s) {

@@ -15,6 +15,7 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/numeric/double_double.hpp>
+#include <leadscrew/numeric/pair.hpp>
 #include <leadscrew/toolpath/path.hpp>
 #include <variant>
 #include <vector>
@@ -36,15 +37,19 @@ struct Segment {
   base::MotionState state = base::MotionState::changing;  ///< of the words in it
 };
 
-/// Speed, acceleration and jerk along the path at a time within a segment.
-struct PathState {
-  double s = 0;             ///< path length on the piece, its units
-  double speed = 0;         ///< units/s
-  double acceleration = 0;  ///< units/s²
-  double jerk = 0;          ///< units/s³
+/// Speed, acceleration and jerk along the path at a time within a segment; T is double, or numeric::Pair for two times.
+template <typename T>
+struct PathStateOf {
+  T s{};             ///< path length on the piece, its units
+  T speed{};         ///< units/s
+  T acceleration{};  ///< units/s²
+  T jerk{};          ///< units/s³
 };
+using PathState = PathStateOf<double>;
 /// At τ, seconds.
 PathState evaluate(const Segment& segment, double tau);
+/// At two times, each to the last bit as alone.
+PathStateOf<numeric::Pair> evaluate(const Segment& segment, numeric::Pair tau);
 /// The time, seconds since it began, at which the segment passes a place inside it, of its piece's length.
 double time_at(const Segment& segment, double s);
 

@@ -56,6 +56,33 @@ SeenPlace seen_place(const toolpath::Piece& piece, double s, Side side) {
   return seen;
 }
 
+SeenPlaces side_by_side(const SeenPlace& first, const SeenPlace& second) {
+  using numeric::Pair;
+  SeenPlaces seen{.speed = {first.speed, second.speed}};
+  for (std::size_t i = 0; i < seen.jet.size(); ++i) {
+    const numeric::Jet<>&a = first.jet[i], &b = second.jet[i];
+    seen.jet[i] = {Pair{a.value, b.value}, Pair{a.first, b.first}, Pair{a.second, b.second}, Pair{a.third, b.third}};
+  }
+  return seen;
+}
+
+SeenPlaces seen_places(const toolpath::Piece& piece, double first, Side first_side, double second, Side second_side) {
+  const auto* const nurbs = std::get_if<geometry::Nurbs>(&piece.curve);
+  if (piece.transformation || !nurbs || piece.feed_axes != toolpath::FeedAxes::none) {
+    return side_by_side(seen_place_without_chords(piece, first, first_side),
+                        seen_place_without_chords(piece, second, second_side));
+  }
+  const double length = nurbs->length();
+  return {nurbs->jets(numeric::Pair{aside_of(length, first, first_side), aside_of(length, second, second_side)}),
+          numeric::all<numeric::Pair>(piece.feed)};
+}
+
+numeric::PairBits turns(const geometry::PointJetOf<numeric::Pair>& jet) {
+  numeric::PairBits turning{};
+  for (const auto& q : jet) turning |= q.second != 0;
+  return turning;
+}
+
 bool turns(const geometry::PointJet& jet) {
   return std::any_of(jet.begin(), jet.end(), [](const numeric::Jet<>& q) { return q.second != 0; });
 }

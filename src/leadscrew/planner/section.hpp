@@ -31,8 +31,21 @@ SeenPlace seen_place(const toolpath::Piece& piece, double s, Side side);
 /// Without what chords between words leave.
 SeenPlace seen_place_without_chords(const toolpath::Piece& piece, double s, Side side);
 
+/// Of two places on one path, side by side.
+struct SeenPlaces {
+  geometry::PointJetOf<numeric::Pair> jet{};
+  numeric::Pair speed{};
+
+  constraints::PlaceOf<numeric::Pair> at_feed(double feed_factor) const { return {jet, feed_factor * speed, {}}; }
+};
+SeenPlaces side_by_side(const SeenPlace& first, const SeenPlace& second);
+/// On one piece, each to the last bit as alone.
+SeenPlaces seen_places(const toolpath::Piece& piece, double first, Side first_side, double second, Side second_side);
+
 /// Does the direction of the path turn here: is any q″ other than 0?
 bool turns(const geometry::PointJet& jet);
+/// At each of the two: all bits, or none.
+numeric::PairBits turns(const geometry::PointJetOf<numeric::Pair>& jet);
 
 /// Of those between words on a piece; `jet` is that of its axes at s.
 inline constraints::Chords chords_of(const toolpath::Piece& piece, double s, const geometry::PointJet& jet) {

@@ -17,7 +17,8 @@
 //     speed_bounds    what of them is in force: tightened, relaxed
 //     barrier         the solver: iterates from strictly inside to the optimum
 //     speed_profile   the profile itself, and how windows of it follow each other
-//     emission        as motion in time, with the proof that it keeps every limit
+//     emission        as motion in time
+//     proof           that it keeps every limit
 //
 // In the first and the last interval path jerk is constant, x ∝ s^(4/3): the one way in which x leaves rest with finite
 // jerk. The start is a creep profile, in closed form and strictly inside every limit.

@@ -178,7 +178,6 @@ inline constexpr int looks_per_polynomial = 3;
 inline constexpr std::size_t few_polynomials = 8;  // of a segment, that are looked at so often
 inline constexpr int looks_per_more = 2;           // of those beyond
 inline constexpr std::size_t most_borders = 600;   // that are looked at so closely
-inline constexpr int stop_looks = 32;              // of the proof that a stop keeps its limits
 inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
 inline constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
 inline constexpr double dense_steps = 1 + 1e-3;    // where there are so many that not all are looked at: at a cusp

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/planner/emission.hpp>
+#include <leadscrew/planner/proof.hpp>
 #include <leadscrew/planner/tuning.hpp>
 #include <leadscrew/planner/window.hpp>
 #include <limits>
