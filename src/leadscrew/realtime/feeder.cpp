@@ -9,7 +9,6 @@ using Offer = interpolator::Controller::Offer;
 namespace {
 
 constexpr double enough_to_begin = 2;     // s of motion, where moves may be slow to come
-constexpr double quiet_to_begin = 0.1;    // s
 constexpr double least_in_motion = 0.03;  // s of motion, in which the way to rest is planned
 
 }  // namespace
@@ -47,7 +46,7 @@ double Feeder::held_back() const {
 /// False where it must go on waiting.
 bool Feeder::wait_for_moves(const Drought& drought) {
   ahead_before_.reset();  // it is not the planner that is slow
-  const bool waits = in_motion_ ? controller_.seconds_ahead() >= least_in_motion : drought.quiet < quiet_to_begin;
+  const bool waits = in_motion_ ? controller_.seconds_ahead() >= least_in_motion : drought.quiet < planning_.quiet_to_begin;
   if (!drought.is_open || waits) return false;
   planning_.end_for_now();
   return true;

@@ -15,7 +15,7 @@
 // shorter slices.
 //
 // Where moves come from somebody who may be slow, motion must neither be cut up for want of the next move, nor wait for
-// ever for one that does not come. It begins once 2 s of motion are planned, or nothing came for 0.1 s. On the way it waits
+// ever for one that does not come. It begins once 2 s of motion are planned, or nothing came for 0.1 s (Planning::quiet_to_begin). On the way it waits
 // for the next move as long as it can: only when less than 30 ms of motion are left is the end of the last move made a
 // place of rest.
 
@@ -55,6 +55,8 @@ struct Planning {
   /// Is motion held? A program may not let override_feed(0) hold it (M53), or come to where it does. Absent: it is by
   /// override_feed(0).
   std::function<bool()> is_held = {};
+  /// s ≥ 0 for which no move has come, at rest, until motion begins along those there are. Goes with `drought`.
+  double quiet_to_begin = 0.1;
 };
 
 /// Keeps the cycle supplied: plans as far ahead of it as look_ahead_time.hpp says, and hands chunks over.
@@ -81,6 +83,8 @@ class Feeder {
   /// Takes a chunk or hands some over. False where nothing can be done but wait.
   bool step();
 
+  /// Has it taken chunks that the cycle has not been given?
+  bool holds_chunks() const { return !held_.empty() || after_; }
   /// Number of the last chunk, once it is known.
   std::optional<std::int64_t> last_chunk() const { return last_; }
   /// Why motion ends although more would come: `travel-unchecked`, of a chunk that the controller refused.

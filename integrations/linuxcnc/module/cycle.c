@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-2.0-only
+ *
+ * What happens each servo period. */
+#include <math.h>
+
+#include "figures.h"
+#include "rtapi.h"
+#include "state.h"
+
+int tpPause(TP_STRUCT *const tp) {
+  if (!tp) return TP_ERR_FAIL;
+  tp->pausing = 1;
+  return TP_ERR_OK;
+}
+
+int tpResume(TP_STRUCT *const tp) {
+  if (!tp) return TP_ERR_FAIL;
+  tp->pausing = 0;
+  return TP_ERR_OK;
+}
+
+int tpAbort(TP_STRUCT *const tp) {
+  if (!tp) return TP_ERR_FAIL;
+  if (!tp->aborting && !tp->done) tp->aborting = tp->pausing = 1;
+  return tpClearDIOs(tp);
+}
+
+/* Of the feed, as far as LinuxCNC and Leadscrew allow. */
+static double factor_of(const TP_STRUCT *tp) {
+  const struct state *state = &leadscrew_state;
+  if (tp->pausing || tp->aborting) return 0;
+  const double most = state->config->maxFeedScale > 0 ? fmin(2, state->config->maxFeedScale) : 2;
+  return fmin(fmax(state->status->net_feed_scale, 0), fmax(most, 1));
+}
+
+static void set_outputs(const syncdio_t *outputs) {
+  const struct state *state = &leadscrew_state;
+  if (!outputs->anychanged) return;
+  for (int i = 0; i < state->config->numDIO; ++i) {
+    if (outputs->dio_mask >> i & 1) state->write_digital(i, outputs->dios[i] > 0);
+  }
+  for (int i = 0; i < state->config->numAIO; ++i) {
+    if (outputs->aio_mask >> i & 1) state->write_analog(i, outputs->aios[i]);
+  }
+}
+
+/* Motion has come to this move: outputs are set of all that began since. */
+static void begin(TP_STRUCT *tp, uint32_t number) {
+  struct state *state = &leadscrew_state;
+  while (state->begun < number) set_outputs(&entry_of(++state->begun)->outputs);
+  if (number == 0) return;
+  const struct entry *entry = entry_of(number);
+  tp->execId = entry->id;
+  tp->execTag = entry->tag;
+  tp->motionType = entry->motion_type;
+  state->status->enables_queued = entry->enables;
+  state->status->requested_vel = entry->speed;
+}
+
+static int spindles_are_at_speed(void) {
+  for (int i = 0; i < leadscrew_state.config->numSpindles; ++i) {
+    if (!leadscrew_state.status->spindle_status[i].at_speed) return 0;
+  }
+  return 1;
+}
+
+/* Locks the axis that was unlocked for the move before; true once it is. */
+static int lock_indexer(void) {
+  struct state *state = &leadscrew_state;
+  if (state->indexer < 0) return 1;
+  state->unlock_rotary(state->indexer, 0);
+  if (state->rotary_is_unlocked(state->indexer)) return 0;
+  state->indexer = -1;
+  return 1;
+}
+
+/* May the move begin? A period must have passed in which motmod scaled the feed as this move is scaled. */
+static int may_begin(uint32_t number) {
+  struct state *state = &leadscrew_state;
+  const struct entry *entry = entry_of(number);
+  state->gate_cycles = number == state->gate ? state->gate_cycles + 1 : 0;
+  state->gate = number;
+  if (state->gate_cycles == 0) {
+    state->status->enables_queued = entry->enables;
+    return 0;
+  }
+  if (entry->waits_for_speed && !spindles_are_at_speed()) return 0;
+  if (entry->indexer < 0) return lock_indexer();
+  state->indexer = entry->indexer;
+  state->unlock_rotary(entry->indexer, 1);
+  return state->rotary_is_unlocked(entry->indexer);
+}
+
+static double length_of(const PmCartesian *v) { return sqrt(v->x * v->x + v->y * v->y + v->z * v->z); }
+
+static void report_motion(TP_STRUCT *tp, const struct leadscrew_tp_word *word) {
+  struct state *state = &leadscrew_state;
+  emcmot_status_t *status = state->status;
+  const EmcPose *end = &entry_of(state->begun)->end, *at = &tp->currentPos;
+  tp->depth = (int)(state->added - (state->begun > 0 ? state->begun - 1 : 0));
+  tp->activeDepth = 1;
+  status->current_vel = word->speed / state->mm;
+  if (state->begun == 0) return;
+  status->dtg.tran.x = end->tran.x - at->tran.x;
+  status->dtg.tran.y = end->tran.y - at->tran.y;
+  status->dtg.tran.z = end->tran.z - at->tran.z;
+  status->dtg.a = end->a - at->a;
+  status->dtg.b = end->b - at->b;
+  status->dtg.c = end->c - at->c;
+  status->dtg.u = end->u - at->u;
+  status->dtg.v = end->v - at->v;
+  status->dtg.w = end->w - at->w;
+  status->distance_to_go = length_of(&status->dtg.tran);
+}
+
+static void end_abort(TP_STRUCT *tp) {
+  tp->aborting = tp->pausing = 0;
+  tp->synchronized = TC_SYNC_NONE;
+  tp->reverse_run = TC_DIR_FORWARD;
+  if (leadscrew_state.indexer >= 0) leadscrew_state.unlock_rotary(leadscrew_state.indexer, 0);
+  leadscrew_state.indexer = -1;
+  set_down(tp);
+}
+
+int tpRunCycle(TP_STRUCT *const tp, long period) {
+  (void)period;
+  struct state *state = &leadscrew_state;
+  struct leadscrew_tp_wishes wishes = {factor_of(tp), tp->aborting, state->passed};
+  struct leadscrew_tp_word word;
+  state->status->tcqlen = state->added - state->begun;
+  leadscrew_tp_cycle(state->planning, &wishes, &word);
+  figures_update();
+  if (tp->done) return TP_ERR_WAITING;
+  pose_of(word.position, &tp->currentPos);
+  if (word.has_failed && !state->has_failed) {
+    state->has_failed = 1;
+    state->status->motionFlag |= EMCMOT_MOTION_ERROR_BIT;
+    tpAbort(tp);
+  }
+  if (word.is_aborted) {
+    end_abort(tp);
+    return TP_ERR_STOPPED;
+  }
+  const uint32_t number = word.number > word.finished ? word.number : word.finished;
+  begin(tp, number);
+  report_motion(tp, &word);
+  if (word.gate > state->passed && !tp->aborting) {
+    tp->motionType = entry_of(word.gate)->motion_type;
+    if (may_begin(word.gate)) state->passed = word.gate;
+    return TP_ERR_WAITING;
+  }
+  if (word.finished == state->added && !tp->aborting && lock_indexer()) report_rest(tp);
+  return TP_ERR_OK;
+}

@@ -1,0 +1,225 @@
+/* SPDX-License-Identifier: GPL-2.0-only
+ *
+ * Moves on their way to Leadscrew, and where motion is set down. */
+#include <math.h>
+
+#include "motion_types.h"
+#include "rtapi.h"
+#include "state.h"
+
+/* Moves in flight beyond which task is told to wait, so that those on their way find room. */
+enum { nearly_full = leadscrew_tp_moves - 64 };
+
+void position_of(const EmcPose *pose, double position[leadscrew_tp_axes]) {
+  const double mm = leadscrew_state.mm;
+  const double values[] = {pose->tran.x * mm, pose->tran.y * mm, pose->tran.z * mm, pose->a,     pose->b,
+                           pose->c,           pose->u * mm,      pose->v * mm,      pose->w * mm};
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) position[axis] = values[axis];
+}
+
+void pose_of(const double position[leadscrew_tp_axes], EmcPose *pose) {
+  const double mm = leadscrew_state.mm;
+  pose->tran.x = position[0] / mm;
+  pose->tran.y = position[1] / mm;
+  pose->tran.z = position[2] / mm;
+  pose->a = position[3];
+  pose->b = position[4];
+  pose->c = position[5];
+  pose->u = position[6] / mm;
+  pose->v = position[7] / mm;
+  pose->w = position[8] / mm;
+}
+
+static struct leadscrew_tp_limits limits_now(void) {
+  struct leadscrew_tp_limits limits;
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
+    const double mm = axis >= 3 && axis < 6 ? 1 : leadscrew_state.mm;
+    limits.velocity[axis] = leadscrew_state.velocity_limit(axis) * mm;
+    limits.acceleration[axis] = leadscrew_state.acceleration_limit(axis) * mm;
+  }
+  return limits;
+}
+
+int limits_changed(void) {
+  const struct leadscrew_tp_limits limits = limits_now(), *const before = &leadscrew_state.limits;
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
+    if (limits.velocity[axis] != before->velocity[axis] || limits.acceleration[axis] != before->acceleration[axis])
+      return 1;
+  }
+  return 0;
+}
+
+void set_down(TP_STRUCT *tp) {
+  struct state *state = &leadscrew_state;
+  double position[leadscrew_tp_axes];
+  position_of(&tp->currentPos, position);
+  state->limits = limits_now();
+  state->added = state->begun = state->passed = state->gate = 0;
+  state->gate_cycles = 0;
+  state->rests_next = 0;
+  state->has_failed = 0;
+  state->last = tp->currentPos;
+  leadscrew_tp_set_down(state->planning, position, &state->limits, llround(tp->cycleTime * 1e9));
+  tp->goalPos = tp->currentPos;
+  report_rest(tp);
+}
+
+void report_rest(TP_STRUCT *tp) {
+  emcmot_status_t *status = leadscrew_state.status;
+  tp->done = 1;
+  tp->depth = tp->activeDepth = 0;
+  tp->execId = 0;
+  tp->motionType = 0;
+  status->current_vel = status->requested_vel = status->distance_to_go = 0;
+  status->enables_queued = status->enables_new;
+  status->spindleSync = 0;
+  ZERO_EMC_POSE(status->dtg);
+}
+
+/* As it would be if all moves had ended where motion is. */
+int tpClear(TP_STRUCT *const tp) {
+  const struct state_tag_t none = {.packed_flags = 0};
+  tp->nextId = 0;
+  tp->execTag = none;
+  tp->termCond = TC_TERM_COND_PARABOLIC;
+  tp->tolerance = 0;
+  tp->aborting = tp->pausing = tp->reverse_run = 0;
+  tp->synchronized = 0;
+  tp->uu_per_rev = 0;
+  leadscrew_state.status->motionFlag |= EMCMOT_MOTION_INPOS_BIT;
+  set_down(tp);
+  return tpClearDIOs(tp);
+}
+
+static int is_finite(const EmcPose *pose) {
+  return isfinite(pose->tran.x + pose->tran.y + pose->tran.z + pose->a + pose->b + pose->c + pose->u + pose->v + pose->w);
+}
+
+static int same(const EmcPose *a, const EmcPose *b) {
+  return a->tran.x == b->tran.x && a->tran.y == b->tran.y && a->tran.z == b->tran.z && a->a == b->a && a->b == b->b &&
+         a->c == b->c && a->u == b->u && a->v == b->v && a->w == b->w;
+}
+
+int tpSetPos(TP_STRUCT *const tp, EmcPose const *const pose) {
+  if (!tp || !is_finite(pose)) return TP_ERR_FAIL;
+  const int stands_there = same(&tp->currentPos, pose) && tp->done && !limits_changed();
+  tp->currentPos = *pose;
+  if (!stands_there) set_down(tp);
+  tp->goalPos = *pose;
+  return TP_ERR_OK;
+}
+
+int tcqFull(TC_QUEUE_STRUCT const *const queue) {
+  (void)queue;
+  return leadscrew_state.added - leadscrew_state.begun >= nearly_full;
+}
+
+static double distance(const EmcPose *a, const EmcPose *b) {
+  const double linear = sqrt(pow(a->tran.x - b->tran.x, 2) + pow(a->tran.y - b->tran.y, 2) + pow(a->tran.z - b->tran.z, 2));
+  if (linear > TP_POS_EPSILON) return linear;
+  const double second = sqrt(pow(a->u - b->u, 2) + pow(a->v - b->v, 2) + pow(a->w - b->w, 2));
+  return second > TP_POS_EPSILON ? second : sqrt(pow(a->a - b->a, 2) + pow(a->b - b->b, 2) + pow(a->c - b->c, 2));
+}
+
+/* Moves in rotary axes alone know no limit of the tool's speed. */
+static double speed_limit(const TP_STRUCT *tp, const EmcPose *end) {
+  EmcPose linear = *end;
+  linear.a = tp->goalPos.a;
+  linear.b = tp->goalPos.b;
+  linear.c = tp->goalPos.c;
+  return same(&linear, &tp->goalPos) || tp->vLimit <= 0 ? HUGE_VAL : tp->vLimit * leadscrew_state.mm;
+}
+
+static enum leadscrew_tp_join join_of(int condition) {
+  if (condition == TC_TERM_COND_STOP) return leadscrew_tp_stop;
+  return condition == TC_TERM_COND_EXACT ? leadscrew_tp_exact : leadscrew_tp_blend;
+}
+
+/* The move itself, by what has been set for it. */
+static void fill(const TP_STRUCT *tp, struct leadscrew_tp_move *move, const struct entry *entry, double ini_maxvel) {
+  const double limit = speed_limit(tp, &entry->end);
+  const double scale = isinf(limit) && tp->vLimit > 0 ? 1 : leadscrew_state.mm;
+  const double asked = (entry->speed > 0 ? entry->speed : ini_maxvel) * scale;
+  position_of(&entry->end, move->end);
+  move->speed = asked < limit ? asked : limit;
+  move->top_speed = isinf(limit) ? 2 * move->speed : limit;
+  move->join = join_of(tp->termCond);
+  move->tolerance = tp->tolerance * leadscrew_state.mm;
+  move->group = entry->motion_type == EMC_MOTION_TYPE_TRAVERSE;
+  move->waits = entry->waits_for_speed || entry->indexer >= 0 || leadscrew_state.rests_next;
+}
+
+/* Takes the move on its way. */
+static int add(TP_STRUCT *tp, struct leadscrew_tp_move *move, struct entry *entry, double ini_maxvel) {
+  struct state *state = &leadscrew_state;
+  if (tp->aborting) return TP_ERR_OK; /* it would be forgotten at once */
+  if (state->has_failed || !(ini_maxvel > 0)) return TP_ERR_FAIL;
+  if (tp->done && limits_changed()) {
+    set_down(tp);
+  }
+  if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
+  fill(tp, move, entry, ini_maxvel);
+  move->number = state->added + 1;
+  entry->id = tp->nextId;
+  entry->outputs = tp->syncdio;
+  *entry_of(move->number) = *entry;
+  if (leadscrew_tp_push(state->planning, move) != 0) return TP_ERR_FAIL;
+  tpClearDIOs(tp);
+  state->added = move->number;
+  state->rests_next = entry->indexer >= 0;
+  ++tp->nextId;
+  tp->goalPos = entry->end;
+  tp->done = 0;
+  tp->depth = (int)(state->added - state->begun);
+  return TP_ERR_OK;
+}
+
+int tpAddLine(TP_STRUCT *const tp, EmcPose end, int canon_motion_type, double vel, double ini_maxvel, double acc,
+              unsigned char enables, char atspeed, int indexer, struct state_tag_t tag) {
+  (void)acc; /* along the line; that of the axes holds */
+  if (!tp || !is_finite(&end) || tp->synchronized != TC_SYNC_NONE) return TP_ERR_FAIL;
+  if (distance(&tp->goalPos, &end) < TP_POS_EPSILON) return TP_ERR_ZERO_LENGTH;
+  struct leadscrew_tp_move move = {0};
+  struct entry entry = {.motion_type = canon_motion_type,
+                        .speed = vel,
+                        .enables = enables,
+                        .waits_for_speed = atspeed,
+                        .indexer = indexer,
+                        .end = end,
+                        .tag = tag};
+  return add(tp, &move, &entry, ini_maxvel);
+}
+
+int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn, int canon_motion_type,
+                double vel, double ini_maxvel, double acc, unsigned char enables, char atspeed, struct state_tag_t tag) {
+  (void)acc;
+  if (!tp || !is_finite(&end) || tp->synchronized != TC_SYNC_NONE) return TP_ERR_FAIL;
+  const double along[] = {normal.z, normal.y, normal.x};
+  const double length = sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+  int plane = 0;
+  while (plane < 3 && fabs(along[plane]) < (1 - 1e-12) * length) ++plane;
+  if (plane == 3 || length == 0) {
+    rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: an arc in a plane that lies along no two axes; write it as lines\n");
+    return TP_ERR_GEOM;
+  }
+  const int counterclockwise = turn >= 0 ? turn + 1 : turn; /* turns begun: 1, 2 ... or -1, -2 ... */
+  const double mm = leadscrew_state.mm;
+  struct leadscrew_tp_move move = {.is_arc = 1,
+                                   .center = {center.x * mm, center.y * mm, center.z * mm},
+                                   .plane = plane,
+                                   .turns = along[plane] > 0 ? counterclockwise : -counterclockwise};
+  struct entry entry = {.motion_type = canon_motion_type,
+                        .speed = vel,
+                        .enables = enables,
+                        .waits_for_speed = atspeed,
+                        .indexer = -1,
+                        .end = end,
+                        .tag = tag};
+  return add(tp, &move, &entry, ini_maxvel);
+}
+
+int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel, double acc, unsigned char enables,
+                  double scale, struct state_tag_t tag) {
+  (void)tp, (void)end, (void)vel, (void)ini_maxvel, (void)acc, (void)enables, (void)scale, (void)tag;
+  return TP_ERR_FAIL;
+}

@@ -1,0 +1,139 @@
+#include "engine.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/moves.hpp>
+#include <leadscrew/realtime.hpp>
+#include <utility>
+
+namespace leadscrew::linuxcnc {
+
+namespace {
+
+constexpr std::size_t chunks = 256;           // some seconds at least, after chunks that were late
+constexpr double far_ahead = 0.2;             // s, at first and after chunks that were late
+constexpr double short_slice = 0.01;          // s, where the feeder asks for no other
+constexpr double least_change = 0.005;        // of the factor: adaptive feed trembles
+constexpr double travel = 1e5;                // mm or degrees
+
+gcode::PathMode path_mode(leadscrew_tp_join join) {
+  switch (join) {
+    case leadscrew_tp_stop:
+      return gcode::PathMode::exact_stop;
+    case leadscrew_tp_exact:
+      return gcode::PathMode::exact_path;
+    case leadscrew_tp_blend:
+      break;
+  }
+  return gcode::PathMode::blend;
+}
+
+}  // namespace
+
+std::string told(const base::Diagnostic& diagnostic) {
+  std::string text = std::string(diagnostic.code) + ": " + diagnostic.message;
+  return diagnostic.hint.empty() ? text : text + "; " + diagnostic.hint;
+}
+
+base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, const leadscrew_tp_options& options,
+                                          std::int64_t period_ns) {
+  machine::Machine machine;
+  machine.name = "LinuxCNC";
+  machine.period.nanoseconds = period_ns;
+  machine.tolerance = options.tolerance;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    if (limits.velocity[i] <= 0 || limits.acceleration[i] <= 0) continue;
+    machine.axes[i] = machine::AxisLimits{.travel_min = -travel,
+                                          .travel_max = travel,
+                                          .velocity = limits.velocity[i],
+                                          .acceleration = limits.acceleration[i],
+                                          .jerk = options.jerk[i],
+                                          .blu = 1e-6};
+  }
+  const std::vector<base::Diagnostic> problems = machine::validate(machine);
+  if (!problems.empty()) return base::failure(problems.front());
+  return machine;
+}
+
+base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start,
+                                  const machine::Machine& machine) {
+  Position end;
+  for (const base::Axis axis : base::all_axes) {
+    const std::size_t i = base::index(axis);
+    end[i] = machine.has(axis) ? asked.end[i] : start[i];
+  }
+  gcode::Move move = host::line(end, asked.speed);
+  if (asked.is_arc) {
+    const gcode::Plane plane = std::array{gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ}.at(
+        static_cast<std::size_t>(asked.plane));
+    move = host::arc(end, plane, asked.center[base::index(first_axis(plane))],
+                     asked.center[base::index(second_axis(plane))], asked.turns, asked.speed);
+  }
+  move.line = base::line_at(asked.number);
+  if (auto sound = host::put_behind(start, machine, move); !sound) return base::failure(sound.error());
+  move.path_mode = path_mode(asked.join);
+  if (asked.join == leadscrew_tp_blend)
+    move.tolerance = move.naive_cam_tolerance = asked.tolerance > 0 ? asked.tolerance : machine.tolerance;
+  return move;
+}
+
+Engine::Engine(machine::Machine machine, const Position& position, const leadscrew_tp_options& options)
+    : machine_(std::move(machine)),
+      moves_(machine_, position),
+      source_([this](gcode::Move& move) { return moves_.give(move); }, machine_, position),
+      controller_(machine_.period, position, chunks),
+      planning_(planning(options)),
+      feeder_(planning_, controller_, std::max(far_ahead, options.ahead), options.ahead) {
+  source_.planner().slice(short_slice);
+}
+
+realtime::Planning Engine::planning(const leadscrew_tp_options& options) {
+  return {.next = [this] { return source_.next(); },
+          .refuse = [this] { source_.planner().refuse(); },
+          .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
+          .slice = [this](double seconds) { source_.planner().slice(seconds); },
+          .drought = [this]() -> std::optional<realtime::Drought> {
+            if (!source_.wants_moves()) return std::nullopt;
+            return realtime::Drought{is_open_, 1e-9 * static_cast<double>(realtime::now() - last_came_)};
+          },
+          .end_for_now = [this] { end_for_now(); },
+          .come_to_rest = [this] { source_.planner().come_to_rest(); },
+          .quiet_to_begin = options.quiet};
+}
+
+base::Result<void> Engine::push(const leadscrew_tp_move& asked) {
+  auto move = move_of(asked, moves_.end(), machine_);
+  if (!move) return base::failure(move.error());
+  if (!is_open_) greatest_factor_ = 2;
+  greatest_factor_ = std::clamp(asked.top_speed / asked.speed, 1.0, greatest_factor_);
+  moves_.append(std::move(*move));
+  last_came_ = realtime::now();
+  is_open_ = true;
+  return {};
+}
+
+void Engine::end_for_now() {
+  moves_.end_for_now();
+  is_open_ = false;
+}
+
+bool Engine::step(double factor, bool abort) {
+  const double wanted = std::clamp(factor, 0.0, greatest_factor_);
+  if (wanted == 0 || wanted == 1 || factor_ == 0 || std::abs(wanted - factor_) >= least_change) factor_ = wanted;
+  feeder_.request(factor_, abort);
+  return feeder_.step();
+}
+
+bool Engine::is_settled() const {
+  return !is_open_ && moves_.waiting().empty() && (source_.wants_moves() || !moves_.has_given()) &&
+         !feeder_.holds_chunks() && controller_.idle();
+}
+
+std::string Engine::failure() const {
+  if (source_.failure()) return told(*source_.failure());
+  if (feeder_.failure()) return told(*feeder_.failure());
+  return {};
+}
+
+}  // namespace leadscrew::linuxcnc

@@ -1,0 +1,75 @@
+#pragma once
+// Motion from one place where it was set down: path, planner and the controller that the servo thread asks.
+//
+// Moves may be slow to come: motion begins once 2 s of it are there or none came for a while, and comes to rest where they
+// end only when less than 30 ms of motion are left (realtime::Feeder).
+
+#include <cstdint>
+#include <leadscrew/diagnostic.hpp>
+#include <leadscrew/motion.hpp>
+#include <leadscrew/controller.hpp>
+#include <leadscrew/machine.hpp>
+#include <leadscrew/motion_source.hpp>
+#include <leadscrew/realtime.hpp>
+#include <string>
+
+#include "link.hpp"
+
+namespace leadscrew::linuxcnc {
+
+/// "arc-radius: arc radius is 0; both ends lie on one circle around the centre".
+std::string told(const base::Diagnostic& diagnostic);
+/// The machine that these limits describe: cartesian, without ends of travel, for these are LinuxCNC's. Codes:
+/// those of machine::validate().
+base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, const leadscrew_tp_options& options,
+                                          std::int64_t period_ns);
+/// The move behind a start, mm or degrees, on the machine. Codes: those of host::put_behind().
+base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start, const machine::Machine& machine);
+
+/// The thread of planning's, but for controller().next(). The machine is sound (machine::validate).
+class Engine {
+ public:
+  Engine(machine::Machine machine, const Position& position, const leadscrew_tp_options& options);
+  Engine(const Engine&) = delete;
+  Engine& operator=(const Engine&) = delete;
+
+  /// The next move. Codes: those of move_of(); nothing is changed then.
+  base::Result<void> push(const leadscrew_tp_move& asked);
+  /// Motion is to rest where the moves so far end.
+  void end_for_now();
+  /// Plans, or hands motion over. False where there is nothing to do but wait.
+  bool step(double factor, bool abort);
+
+  /// Is there a move behind the last place of rest that was asked for?
+  bool is_open() const { return is_open_; }
+  /// Does motion rest where all moves end?
+  bool is_settled() const;
+  /// Number of the last chunk of motion that was aborted or has failed, once it is known; -1 before.
+  std::int64_t last_chunk() const { return feeder_.last_chunk().value_or(-1); }
+  /// Why motion ends before its moves do; empty where it does not.
+  std::string failure() const;
+  /// Chunks that came too late.
+  std::int64_t late_chunks() const { return feeder_.late_chunks(); }
+  /// What the servo thread asks for words.
+  interpolator::Controller& controller() { return controller_; }
+  /// The same.
+  const interpolator::Controller& controller() const { return controller_; }
+  /// Of all words.
+  const machine::Machine& machine() const { return machine_; }
+
+ private:
+  realtime::Planning planning(const leadscrew_tp_options& options);
+
+  const machine::Machine machine_;
+  host::MoveQueue moves_;
+  pipeline::MotionSource source_;
+  interpolator::Controller controller_;
+  const realtime::Planning planning_;
+  realtime::Feeder feeder_;
+  double factor_ = 1;                ///< of the feed, in force
+  double greatest_factor_ = 2;       ///< that all moves allow since motion settled last
+  bool is_open_ = false;
+  std::int64_t last_came_ = 0;       ///< ns
+};
+
+}  // namespace leadscrew::linuxcnc

@@ -1,0 +1,113 @@
+#include "planning.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+#include "link.hpp"
+#include "planning_thread.hpp"
+
+namespace {
+
+using leadscrew::interpolator::Controller;
+using leadscrew::linuxcnc::Link;
+using leadscrew::linuxcnc::PlanningThread;
+using leadscrew::linuxcnc::Position;
+using leadscrew::linuxcnc::Request;
+
+}  // namespace
+
+/// The link, the thread at its other end, and what the servo thread keeps.
+struct leadscrew_tp {
+  leadscrew_tp(const leadscrew_tp_options& options, void (*report)(const char*)) : thread(link, options, report) {}
+
+  Link link;
+  PlanningThread thread;
+
+  // The servo thread's.
+  std::uint32_t set_down = 0;            ///< number of the last setting down
+  Controller* controller = nullptr;      ///< none yet, or while a move is followed
+  std::uint32_t followed = 0;            ///< number of the move that was followed last
+  Position position{};
+  double speed = 0;
+  std::uint32_t number = 0;
+};
+
+leadscrew_tp* leadscrew_tp_create(const leadscrew_tp_options* options, void (*report)(const char*)) {
+  try {
+    auto tp = std::make_unique<leadscrew_tp>(*options, report);
+    return tp->thread.start() ? tp.release() : nullptr;
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+
+void leadscrew_tp_destroy(leadscrew_tp* tp) {
+  delete tp;
+}
+
+struct leadscrew_tp_figures leadscrew_tp_figures_now(const leadscrew_tp* tp) {
+  const Link& link = tp->link;
+  return {link.seconds_ahead.load(std::memory_order_relaxed), link.late_chunks.load(std::memory_order_relaxed),
+          link.starvations.load(std::memory_order_relaxed)};
+}
+
+void leadscrew_tp_set_down(leadscrew_tp* tp, const double position[leadscrew_tp_axes],
+                           const leadscrew_tp_limits* limits, std::int64_t period_ns) {
+  tp->controller = nullptr;
+  tp->followed = 0;
+  tp->number = 0;
+  tp->speed = 0;
+  std::copy_n(position, leadscrew_tp_axes, tp->position.begin());
+  Request request;
+  request.set_down = ++tp->set_down;
+  request.position = tp->position;
+  request.limits = *limits;
+  request.period_ns = period_ns;
+  tp->link.passed.store(0, std::memory_order_relaxed);
+  tp->link.requests.push(request);
+  tp->link.set_down.store(tp->set_down, std::memory_order_release);
+}
+
+int leadscrew_tp_push(leadscrew_tp* tp, const leadscrew_tp_move* move) {
+  if (tp->link.requests.size() >= leadscrew_tp_moves) return -1;
+  Request request;
+  request.move = *move;
+  return tp->link.requests.push(request) ? 0 : -1;
+}
+
+namespace {
+
+/// Takes the controller that has been made for where motion was set down, or behind a move that was followed.
+void take_controller(leadscrew_tp& tp) {
+  const bool is_made = tp.link.made.load(std::memory_order_acquire) == tp.set_down;
+  if (tp.controller || !is_made) return;
+  if (tp.followed != 0 && tp.link.rejoined.load(std::memory_order_acquire) != tp.followed) return;
+  tp.controller = tp.link.controller.load(std::memory_order_acquire);
+}
+
+}  // namespace
+
+void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, leadscrew_tp_word* word) {
+  Link& link = tp->link;
+  link.factor.store(wishes->factor, std::memory_order_relaxed);
+  if (wishes->abort) link.aborts.store(tp->set_down, std::memory_order_release);
+  link.passed.store(wishes->passed, std::memory_order_release);
+  take_controller(*tp);
+  const bool is_made = link.made.load(std::memory_order_acquire) == tp->set_down;
+  if (tp->controller) {
+    const leadscrew::base::Word next = tp->controller->next();
+    tp->position = next.position;
+    tp->speed = next.speed;
+    tp->number = std::max(tp->number, static_cast<std::uint32_t>(leadscrew::base::number(next.line)));
+  }
+  std::copy(tp->position.begin(), tp->position.end(), word->position);
+  word->speed = tp->speed;
+  word->number = tp->number;
+  word->finished = is_made ? link.finished.load(std::memory_order_acquire) : 0;
+  word->gate = is_made ? link.gate.load(std::memory_order_acquire) : 0;
+  word->has_failed = is_made && link.has_failed.load(std::memory_order_acquire);
+  const std::int64_t last = is_made ? link.last_chunk.load(std::memory_order_acquire) : -1;
+  word->is_aborted =
+      wishes->abort && (!tp->controller || (last >= 0 && tp->controller->begun() == last && tp->controller->stands()));
+}

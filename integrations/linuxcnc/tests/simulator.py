@@ -1,0 +1,55 @@
+"""Runs Debian's LinuxCNC in simulation, in namespaces of its own: nothing is installed, and no other LinuxCNC is met."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+MODULES = pathlib.Path("/usr/lib/linuxcnc/modules")
+
+# In the namespaces: a folder of modules with ours among them, a /tmp of its own, the loop interface, a user that is not root.
+INSIDE = """
+set -e
+mount -t tmpfs none /tmp
+mkdir /tmp/modules
+cp -a {modules}/. /tmp/modules/
+cp {module} /tmp/modules/leadscrew_tp.so
+mount --bind /tmp/modules {modules}
+ip link set lo up 2>/dev/null || true
+cd {scratch}
+exec setpriv --reuid=nobody --regid=nogroup --clear-groups timeout {seconds} linuxcnc machine.ini
+"""
+
+
+def play(module, planner, jobs, seconds=600, hal="machine.hal"):
+    """Plays jobs (play.py) with this module of [TRAJ]TPMOD; returns {name: (record, said, end)}, and LinuxCNC's log."""
+    with tempfile.TemporaryDirectory(dir="/var/tmp") as scratch:
+        scratch = pathlib.Path(scratch)
+        ini = (HERE / "machine.ini").read_text().replace("@PLANNER@", planner).replace("@HAL@", hal)
+        (scratch / "machine.ini").write_text(ini)
+        shutil.copy(HERE / hal, scratch)
+        shutil.copy(HERE / "play.py", scratch)
+        (scratch / "jobs.json").write_text(json.dumps(jobs))
+        for path in (scratch, *scratch.iterdir()):
+            shutil.chown(path, "nobody", "nogroup")
+        script = INSIDE.format(modules=MODULES, module=module, scratch=scratch, seconds=seconds)
+        environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
+        environment |= {"HOME": str(scratch), "RUNTESTS": "1"}
+        run = subprocess.run(["unshare", "--mount", "--ipc", "--net", "--pid", "--fork", "--mount-proc", "--kill-child",
+                              "bash", "-c", script], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+        results = {}
+        for job in jobs:
+            said = scratch / (job["name"] + ".said")
+            record = scratch / (job["name"] + ".record")
+            end = scratch / (job["name"] + ".end")
+            results[job["name"]] = (record.read_text() if record.exists() else "",
+                                    said.read_text() if said.exists() else "it was not played",
+                                    json.loads(end.read_text()) if end.exists() else {})
+        return results, run.stdout + run.stderr
+
+
+def available():
+    return shutil.which("linuxcnc") is not None and os.geteuid() == 0
