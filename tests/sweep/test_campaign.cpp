@@ -5,6 +5,7 @@
 #include <leadscrew/campaign/cases.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/sweep/campaign.hpp>
+#include <map>
 #include <set>
 
 #include "command.hpp"
@@ -34,6 +35,36 @@ TEST(Cases, AreOfAllKinds) {
   std::set<campaign::Kind> kinds;
   for (std::int64_t number = 0; number < campaign::kinds_in_turn; ++number) kinds.insert(campaign::kind_of(number));
   EXPECT_EQ(kinds.size(), campaign::kind_names.size());
+}
+
+// Of 500 programs those of each kind have what the kind is named after, and some of them each thing that it may have.
+TEST(Cases, HaveWhatTheirKindsAreNamedAfter) {
+  const std::map<campaign::Kind, std::vector<std::string>> words = {
+      {campaign::Kind::lines, {"G0", "G1", "G4", "G93", "G64"}},
+      {campaign::Kind::arcs, {"G2", "G3", "G18", "G19"}},
+      {campaign::Kind::nurbs, {"G6.2", "G5"}},
+      {campaign::Kind::corners, {"G64"}},
+      {campaign::Kind::five_axes, {"G43.4", "G43.5", "G68.2"}},
+      {campaign::Kind::surfaces, {"G6.5"}}};
+  std::map<campaign::Kind, std::string> texts;
+  bool is_held = false, is_slowed = false, is_hastened = false;
+  for (std::int64_t number = 0; number < 500; ++number) {
+    const Case drawn = case_of(1, number, Size::small);
+    texts[drawn.kind] += drawn.text;
+    EXPECT_EQ(drawn.changes.empty(), drawn.kind != campaign::Kind::interventions) << number;
+    for (const campaign::FeedChange& change : drawn.changes) {
+      is_held |= change.factor == 0;
+      is_slowed |= change.factor > 0 && change.factor < 1;
+      is_hastened |= change.factor > 1;
+    }
+    EXPECT_EQ(drawn.changes.empty() ? 1 : drawn.changes.back().factor, 1) << "motion goes on to the end";
+  }
+  EXPECT_EQ(texts.size(), campaign::kind_names.size());
+  for (const auto& [kind, all] : words) {
+    for (const std::string& word : all)
+      EXPECT_NE(texts[kind].find(word), std::string::npos) << campaign::name(kind) << " " << word;
+  }
+  EXPECT_TRUE(is_held && is_slowed && is_hastened);
 }
 
 TEST(Cases, HaveMachinesThatAFileGivesBack) {
