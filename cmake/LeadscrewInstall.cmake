@@ -9,8 +9,9 @@ set(rooms ${LEADSCREW_LIBRARY_ROOMS})
 file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/leadscrew/*.hpp)
 if(LEADSCREW_COMMAND)
   list(APPEND rooms realtime config)
-  list(APPEND targets leadscrew_pulse leadscrew_gouging leadscrew_nc leadscrew_servo leadscrew_language leadscrew_capi leadscrew_shared)  # leadscrew.h stands on the first five
-  install(FILES src/leadscrew/capi/leadscrew.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
+  list(APPEND targets leadscrew_pulse leadscrew_gouging leadscrew_nc leadscrew_servo leadscrew_markup leadscrew_waves leadscrew_language leadscrew_capi leadscrew_shared)  # leadscrew.h stands on the first seven
+  file(GLOB c_headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/leadscrew/capi/leadscrew*.h)  # leadscrew.h includes the others
+  install(FILES ${c_headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 else()
   list(FILTER headers EXCLUDE REGEX "/(files|realtime)\\.hpp$")
 endif()

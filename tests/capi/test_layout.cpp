@@ -48,7 +48,7 @@ TEST(Layout, OfEvents) {
 }
 
 TEST(Layout, OfOptions) {
-  EXPECT_EQ(sizeof(leadscrew_options), 184U);
+  EXPECT_EQ(sizeof(leadscrew_options), 200U);
   EXPECT_EQ(offsetof(leadscrew_options, start), 8U);
   EXPECT_EQ(offsetof(leadscrew_options, slice), 80U);
   EXPECT_EQ(offsetof(leadscrew_options, on_event), 88U);
@@ -65,6 +65,9 @@ TEST(Layout, OfOptions) {
   EXPECT_EQ(offsetof(leadscrew_options, has_inputs), 172U);
   EXPECT_EQ(offsetof(leadscrew_options, allow_gouging), 176U);
   EXPECT_EQ(offsetof(leadscrew_options, step_rule), 180U);
+  EXPECT_EQ(offsetof(leadscrew_options, path_mode), 184U);
+  EXPECT_EQ(offsetof(leadscrew_options, has_tolerance), 188U);
+  EXPECT_EQ(offsetof(leadscrew_options, tolerance), 192U);
 }
 
 TEST(Layout, OfMoves) {

@@ -203,4 +203,46 @@ TEST(StepRules, AreThoseOfTheInterpolator) {
   EXPECT_STREQ(error.field, "step_rule");
 }
 
+/// s of a program with corners.
+double time_of(const leadscrew_options& options) {
+  const Motion motion = program("G21 G90 G64 P0.01 F3000\nG1 X10\nG1 Y10\nG1 X0\nM2\n", options);
+  leadscrew_trajectory* planned = nullptr;
+  EXPECT_EQ(leadscrew_motion_plan(motion.get(), &planned, nullptr), LEADSCREW_OK);
+  const Trajectory trajectory(planned);
+  return leadscrew_trajectory_duration(planned);
+}
+
+TEST(Options, SayHowMovesAreJoined) {
+  const double programmed = time_of(no_options());
+  leadscrew_options asked = no_options();
+  asked.path_mode = LEADSCREW_BLEND;
+  EXPECT_EQ(time_of(asked), programmed);
+  asked.has_tolerance = 1;
+  asked.tolerance = 0.5;
+  EXPECT_LT(time_of(asked), programmed - 0.001);
+  asked.path_mode = LEADSCREW_EXACT_STOP;
+  EXPECT_GT(time_of(asked), programmed + 0.001);
+}
+
+TEST(Options, ThatJoinMovesOtherwiseAreRefused) {
+  const std::string text = "M2\n";
+  const auto refused = [&](const leadscrew_options& options, const char* code, const char* field) {
+    leadscrew_motion* none = nullptr;
+    leadscrew_error error = sized_error();
+    EXPECT_EQ(leadscrew_motion_of_program(mill().get(), text.data(), text.size(), &options, &none, &error),
+              LEADSCREW_REJECTED);
+    EXPECT_STREQ(error.code, code);
+    EXPECT_STREQ(error.field, field);
+  };
+  leadscrew_options wrong = no_options();
+  wrong.path_mode = 3;
+  refused(wrong, "path-mode", "path_mode");
+  wrong.path_mode = LEADSCREW_AS_PROGRAMMED;
+  wrong.has_tolerance = 1;
+  for (const double tolerance : {-1e-3, HUGE_VAL, std::nan("")}) {
+    wrong.tolerance = tolerance;
+    refused(wrong, "path-tolerance", "tolerance");
+  }
+}
+
 }  // namespace test_loops

@@ -1,5 +1,6 @@
 // Reference pulses by the C interface: rows, copies, sentences, and a code for every misuse.
 
+#include <array>
 #include <leadscrew/nc/pulse_reason.hpp>
 
 #include "called.hpp"
@@ -302,6 +303,48 @@ TEST(CapiPulses, TellMisuse) {
   EXPECT_EQ(leadscrew_pulses_column(nullptr, 0), nullptr);
   EXPECT_EQ(leadscrew_pulses_why(nullptr, nullptr, 0), 0U);
   leadscrew_pulses_free(nullptr);
+}
+
+/// Radius over that of the start after so many steps.
+double radius_after(int rule, double angle, std::size_t steps) {
+  const std::array<double, 2> start = {6, 8};
+  std::vector<double> places(2 * (steps + 1));
+  EXPECT_EQ(leadscrew_circle_places(rule, angle, start.data(), places.data(), steps + 1, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(places[0], 6);
+  EXPECT_EQ(places[1], 8);
+  return std::hypot(places[2 * steps], places[2 * steps + 1]) / 10;
+}
+
+TEST(CirclePlaces, KeepTheRadiusAsTheirRuleDoes) {
+  constexpr double t = 0.1;
+  constexpr std::size_t steps = 63;
+  const double growth = std::sqrt(1 + t * t);
+  EXPECT_NEAR(radius_after(LEADSCREW_EULER, t, steps), std::pow(growth, steps), 1e-12);
+  EXPECT_NEAR(radius_after(LEADSCREW_HEUN, t, steps), std::pow(std::sqrt(1 + std::pow(t, 4) / 4), steps), 1e-12);
+  EXPECT_NEAR(radius_after(LEADSCREW_TUSTIN, t, steps), 1, 1e-13);
+  EXPECT_NEAR(radius_after(LEADSCREW_STATE_TRANSITION, -t, steps), 1, 1e-13);
+  EXPECT_NEAR(radius_after(LEADSCREW_RUNGE_KUTTA, t, steps), 1, 1e-6);
+  EXPECT_NE(radius_after(LEADSCREW_RUNGE_KUTTA, t, steps), 1);
+  const double off = std::fabs(radius_after(LEADSCREW_X_FIRST, t, steps) - 1);  // an ellipse, T/4 off at most
+  EXPECT_LT(off, 1.1 * t / 2);
+  EXPECT_GT(off, 1e-5);
+}
+
+TEST(CirclePlaces, OfNoRuleAngleOrRoomAreMisuse) {
+  const std::array<double, 2> start = {1, 0};
+  std::array<double, 2> places{};
+  leadscrew_error error{};
+  error.size = sizeof error;
+  const auto call = [&](int rule, double angle, const double* from, double* to, std::size_t count) {
+    return leadscrew_circle_places(rule, angle, from, to, count, &error);
+  };
+  EXPECT_EQ(call(6, 0.1, start.data(), places.data(), 1), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(-1, 0.1, start.data(), places.data(), 1), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(0, HUGE_VAL, start.data(), places.data(), 1), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(0, 0.1, nullptr, places.data(), 1), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(0, 0.1, start.data(), nullptr, 1), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(0, 0.1, start.data(), places.data(), 0), LEADSCREW_MISUSE);
+  EXPECT_EQ(call(0, 0.1, start.data(), places.data(), 1), LEADSCREW_OK);
 }
 
 }  // namespace test_pulses

@@ -194,4 +194,36 @@ TEST(Capi, IsInterruptedWhileItPlans) {
   EXPECT_STREQ(error.code, "interrupted");
 }
 
+/// Edges of a signal of a dump, up.
+std::size_t pulses_of(const std::string& dump, const std::string& signal) {
+  const std::size_t named = dump.find(" " + signal + " $end");
+  if (named == std::string::npos) return 0;
+  const std::string mark = dump.substr(dump.rfind(' ', named - 1) + 1, named - dump.rfind(' ', named - 1) - 1);
+  std::size_t count = 0;
+  const std::string up = "\n1" + mark + "\n";
+  for (std::size_t at = dump.find(up); at != std::string::npos; at = dump.find(up, at + 1)) ++count;
+  return count;
+}
+
+TEST(Capi, GivesStepsOfAllAxesAsADump) {
+  const Motion motion = program("G21 G90 G61 F600\nG1 X1.5\nG1 Y-0.25\nM2\n");
+  const Trajectory planned = plan(motion.get());
+  std::string dump;
+  const auto take = [](const char* text, std::size_t length, void* user) {
+    static_cast<std::string*>(user)->append(text, length);
+    return 0;
+  };
+  ASSERT_EQ(leadscrew_trajectory_steps(planned.get(), 1'000'000, take, &dump, nullptr), LEADSCREW_OK);
+  EXPECT_EQ(pulses_of(dump, "X_step"), 1500U);  // of 0.001 mm
+  EXPECT_EQ(pulses_of(dump, "Y_step"), 250U);
+  EXPECT_EQ(pulses_of(dump, "Z_step"), 0U);
+  leadscrew_error error = sized_error();
+  EXPECT_EQ(leadscrew_trajectory_steps(planned.get(), 20'000, take, &dump, &error), LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "step-rate");
+  const auto refuse = [](const char*, std::size_t, void*) { return 1; };
+  EXPECT_EQ(leadscrew_trajectory_steps(planned.get(), 1'000'000, refuse, nullptr, nullptr), LEADSCREW_INTERRUPTED);
+  EXPECT_EQ(leadscrew_trajectory_steps(nullptr, 1'000'000, take, &dump, nullptr), LEADSCREW_MISUSE);
+  EXPECT_EQ(leadscrew_trajectory_steps(planned.get(), 1'000'000, nullptr, &dump, nullptr), LEADSCREW_MISUSE);
+}
+
 }  // namespace test_trajectory

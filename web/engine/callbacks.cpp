@@ -11,6 +11,8 @@ extern "C" {
 [[clang::import_module("page"), clang::import_name("gouge")]] void page_gouge(const leadscrew_gouge* gouge);
 [[clang::import_module("page"), clang::import_name("progress")]] int page_progress(double share);
 
+[[clang::import_module("page"), clang::import_name("text")]] int page_text(const char* text, size_t length);
+
 leadscrew_error_function leadscrew_page_on_diagnostic() {
   return [](const leadscrew_error* error, void*) { page_diagnostic(error); };
 }
@@ -28,6 +30,9 @@ leadscrew_gouge_function leadscrew_page_on_gouge() {
 }
 leadscrew_progress_function leadscrew_page_on_progress() {
   return [](double share, void*) { return page_progress(share); };
+}
+leadscrew_text_function leadscrew_page_on_text() {
+  return [](const char* text, size_t length, void*) { return page_text(text, length); };
 }
 }
 // NOLINTEND(readability-identifier-naming)

@@ -55,7 +55,7 @@ static_assert(offsetof(leadscrew_error, line) == 16);
 static_assert(offsetof(leadscrew_error, column) == 24);
 static_assert(offsetof(leadscrew_error, file) == 848);
 
-static_assert(sizeof(leadscrew_options) == 152);
+static_assert(sizeof(leadscrew_options) == 168);
 static_assert(offsetof(leadscrew_options, start) == 8);
 static_assert(offsetof(leadscrew_options, on_diagnostic) == 92);
 static_assert(offsetof(leadscrew_options, file) == 100);
@@ -64,6 +64,9 @@ static_assert(offsetof(leadscrew_options, tools_length) == 108);
 static_assert(offsetof(leadscrew_options, on_progress) == 116);
 static_assert(offsetof(leadscrew_options, user) == 96);
 static_assert(offsetof(leadscrew_options, step_rule) == 148);
+static_assert(offsetof(leadscrew_options, path_mode) == 152);
+static_assert(offsetof(leadscrew_options, has_tolerance) == 156);
+static_assert(offsetof(leadscrew_options, tolerance) == 160);
 
 static_assert(sizeof(leadscrew_limits) == 400);
 static_assert(offsetof(leadscrew_limits, least) == 8);

@@ -154,10 +154,7 @@ leadscrew_figures figures_of(const pipeline::Summary& from) {
 }
 
 leadscrew_block block_of(const pipeline::BlockTime& from) {
-  leadscrew_block block{};
-  block.size = sizeof block;
-  block.line = base::number(from.line);
-  block.file = base::file(from.line);
+  auto block = of_line<leadscrew_block>(from.line);
   block.visit = base::visit(from.line);
   block.begin = from.begin;
   block.seconds = from.seconds;
@@ -204,6 +201,21 @@ std::optional<gcode::Move> move_of(const leadscrew_move& given) {
   return move;
 }
 
+/// How moves are joined in place of what the program says.
+base::Result<void> take_joining(const leadscrew_options& given, host::MotionOptions& options) {
+  if (given.path_mode < LEADSCREW_AS_PROGRAMMED || given.path_mode > LEADSCREW_BLEND)
+    return base::failure(base::problem("path-mode", "no way to join moves has this number",
+                                       "LEADSCREW_AS_PROGRAMMED to LEADSCREW_BLEND", {.field = "path_mode"}));
+  if (given.path_mode == LEADSCREW_EXACT_STOP) options.path_mode = gcode::PathMode::exact_stop;
+  if (given.path_mode == LEADSCREW_BLEND) options.path_mode = gcode::PathMode::blend;
+  if (given.has_tolerance == 0) return {};
+  if (!(given.tolerance >= 0 && std::isfinite(given.tolerance)))
+    return base::failure(
+        base::problem("path-tolerance", "a tolerance of less than nothing", "mm, 0 or more", {.field = "tolerance"}));
+  options.tolerance = given.tolerance;
+  return {};
+}
+
 base::Result<host::MotionOptions> options_of(const leadscrew_options& given, const machine::Machine& machine) {
   host::MotionOptions options;
   options.start = axes_of(given.start);
@@ -222,6 +234,7 @@ base::Result<host::MotionOptions> options_of(const leadscrew_options& given, con
     return base::failure(base::problem("step-rule", "no rule by which words step along curves has this number",
                                        "LEADSCREW_ARC_LENGTH to LEADSCREW_UNIFORM", {.field = "step_rule"}));
   options.step_rule = interpolator::all_step_rules[static_cast<std::size_t>(given.step_rule)];
+  if (auto joined = take_joining(given, options); !joined) return base::failure(joined.error());
   if (given.on_subprogram != nullptr) options.subprogram = subprograms_of(given);
   if (given.on_event != nullptr) {
     options.on_event = [function = given.on_event, user = given.user](const base::PassedEvent& passed) {

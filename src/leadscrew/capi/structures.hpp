@@ -9,6 +9,16 @@
 
 namespace leadscrew::capi {
 
+/// A structure that begins with its size and tells of a line: nothing else is set.
+template <class Struct>
+Struct of_line(base::Line line) {
+  Struct made{};
+  made.size = sizeof made;
+  made.line = base::number(line);
+  made.file = base::file(line);
+  return made;
+}
+
 leadscrew_event event_of(const base::PassedEvent& from);
 leadscrew_word word_of(const base::Word& from);
 leadscrew_state state_of(const host::TrajectoryState& from);

@@ -117,36 +117,32 @@ void tell_surface(const surfaces::Surface& surface, int number, double sag, lead
   on_surface(&told, user);
 }
 
-leadscrew_gouge gouge_of(const gouging::Gouge& from) {
-  leadscrew_gouge gouge{};
-  gouge.size = sizeof gouge;
-  gouge.line = base::number(from.line);
-  gouge.file = base::file(from.line);
-  gouge.part = from.pass ? 1 + static_cast<std::int32_t>(from.of) : LEADSCREW_NO_SURFACE;
-  gouge.pass = static_cast<std::int32_t>(from.pass.value_or(0));
-  gouge.tool_part = static_cast<std::int32_t>(from.part);
+/// What both kinds have.
+template <class Found>
+leadscrew_gouge gouge_at(const Found& from, std::int32_t part, std::size_t pass) {
+  auto gouge = of_line<leadscrew_gouge>(from.line);
+  gouge.part = part;
+  gouge.pass = static_cast<std::int32_t>(pass);
   gouge.surface = from.surface;
-  gouge.depth = from.depth;
   gouge.u = from.u;
   gouge.v = from.v;
   std::copy(from.place.begin(), from.place.end(), gouge.place);
+  return gouge;
+}
+
+leadscrew_gouge gouge_of(const gouging::Gouge& from) {
+  leadscrew_gouge gouge = gouge_at(from, from.pass ? 1 + static_cast<std::int32_t>(from.of) : LEADSCREW_NO_SURFACE,
+                                   static_cast<std::size_t>(from.pass.value_or(0)));
+  gouge.tool_part = static_cast<std::int32_t>(from.part);
+  gouge.depth = from.depth;
   std::copy(from.pose.tip.begin(), from.pose.tip.end(), gouge.tip);
   std::copy(from.pose.axis.begin(), from.pose.axis.end(), gouge.direction);
   return gouge;
 }
 
 leadscrew_gouge gouge_of(const gouging::LocalClearance& from) {
-  leadscrew_gouge gouge{};
-  gouge.size = sizeof gouge;
-  gouge.line = base::number(from.line);
-  gouge.file = base::file(from.line);
-  gouge.part = LEADSCREW_PASS;
-  gouge.pass = static_cast<std::int32_t>(from.pass);
-  gouge.surface = from.surface;
+  leadscrew_gouge gouge = gouge_at(from, LEADSCREW_PASS, static_cast<std::size_t>(from.pass));
   gouge.clearance = from.clearance;
-  gouge.u = from.u;
-  gouge.v = from.v;
-  std::copy(from.place.begin(), from.place.end(), gouge.place);
   std::copy(from.place.begin(), from.place.end(), gouge.tip);
   return gouge;
 }

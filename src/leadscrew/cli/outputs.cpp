@@ -162,8 +162,13 @@ pipeline::LostTime::Sink Outputs::blocks() {
 }
 
 results::ReportParts Outputs::report_parts(const files::InputFile& program, const DiagnosticLog& log) const {
-  return {program,           job_->arguments.command_line, log.all(), *shown_.recording(), job_->machine_text(),
-          job_->tools_text()};
+  return {program,
+          job_->arguments.command_line,
+          log.all(),
+          *shown_.recording(),
+          job_->machine_text(),
+          job_->tools_text(),
+          {job_->start, job_->arguments.mode, job_->arguments.tolerance}};
 }
 
 std::optional<results::StepFigures> Outputs::step_figures() const {

@@ -48,6 +48,8 @@ struct MotionOptions {
   bool has_probe = false;
   /// Surfaces (G6.5) are machined though the tool gouges where it touches. Otherwise that is an error, `surface-gouge`.
   bool allows_gouging = false;
+  std::optional<gcode::PathMode> path_mode{};  ///< in place of G61, G61.1 and G64
+  std::optional<double> tolerance{};           ///< mm, ≥ 0, in place of P of G64
   /// By which words step along curves; plan() is by arc length.
   interpolator::StepRule step_rule = interpolator::StepRule::arc_length;
   /// Asked every few KiB while a program is read, and every few milliseconds while planning takes long: with the share,

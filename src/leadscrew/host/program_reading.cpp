@@ -32,6 +32,8 @@ gcode::ReaderOptions reading_of(const machine::Machine& machine, const MotionOpt
                                 const std::shared_ptr<ProgramTexts>& texts) {
   gcode::ReaderOptions reading{.file = options.file, .start = options.start, .dialect = machine.dialect};
   reading.opener = [texts](const std::string& name, std::int64_t offset) { return texts->open(name, offset); };
+  reading.path_mode = options.path_mode;
+  reading.tolerance = options.tolerance;
   reading.fuel = options.fuel;
   reading.asks_inputs = options.has_inputs;
   reading.allows_gouging = options.allows_gouging;

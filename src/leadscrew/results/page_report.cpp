@@ -49,6 +49,15 @@ json::Json json_of_events(std::span<const base::PassedEvent> events, base::Perio
   return list;
 }
 
+json::Json json_of_asked(const MotionAsked& asked) {
+  json::Json start = json::Json::list();
+  for (const double position : asked.start) start.push_back(position);
+  json::Json json = json::Json::object({{"mode", nullptr}, {"tolerance_mm", nullptr}, {"start", start}});
+  if (asked.mode) json["mode"] = *asked.mode == gcode::PathMode::exact_stop ? "exact-stop" : "blend";
+  if (asked.tolerance) json["tolerance_mm"] = *asked.tolerance;
+  return json;
+}
+
 json::Json json_of_recording(const PageParts& parts, const PageRecording& recording) {
   json::Json json = json::Json::object({{"schema", recording_schema},
                                         {"version", LEADSCREW_VERSION},
@@ -57,6 +66,7 @@ json::Json json_of_recording(const PageParts& parts, const PageRecording& record
                                         {"text", parts.text},
                                         {"machine", parts.machine},
                                         {"tools", parts.tools},
+                                        {"asked", json_of_asked(parts.asked)},
                                         {"events", parts.events},
                                         {"event_count", parts.event_count},
                                         {"result", parts.result}});

@@ -5,6 +5,7 @@
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/results/page_recording.hpp>
+#include <leadscrew/results/report_form.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,7 @@ struct PageParts {
   std::string text;                        ///< of it, without its subprograms
   std::string machine;                     ///< text of the machine file; empty: the built-in mill
   std::string tools;                       ///< text of the tool table; may be empty
+  MotionAsked asked{};                     ///< in place of what they say
   std::string command;                     ///< the command line that makes the report again
   json::Json events;                       ///< the first of them, as json_of_events() has them
   std::int64_t event_count = 0;            ///< of all
@@ -32,6 +34,9 @@ struct PageParts {
 
 /// "events" of schema leadscrew.recording/1.
 json::Json json_of_events(std::span<const base::PassedEvent> events, base::Period period);
+
+/// "asked" of schema leadscrew.recording/1.
+json::Json json_of_asked(const MotionAsked& asked);
 
 /// Schema leadscrew.recording/1.
 json::Json json_of_recording(const PageParts& parts, const PageRecording& recording);

@@ -11,6 +11,13 @@
 
 namespace leadscrew::results {
 
+/// What was asked for in place of what program and machine file say.
+struct MotionAsked {
+  base::AxisVector start{};               ///< where the program begins, mm or degrees
+  std::optional<gcode::PathMode> mode{};  ///< exact_stop or blend, in place of G61, G61.1 and G64
+  std::optional<double> tolerance{};      ///< mm, in place of P of G64
+};
+
 /// What a report needs beside figures: the program, for its text, the command line that makes the report again, what was
 /// said of the program, and the recording.
 struct ReportParts {
@@ -19,6 +26,7 @@ struct ReportParts {
   const Diagnostics& diagnostics;
   const report::Recording& recording;
   std::string machine_file = {}, tools = {};  ///< their texts; empty: the built-in mill, no table
+  MotionAsked asked = {};
 };
 
 /// Errors: those of reading the program once more.

@@ -11,15 +11,9 @@ namespace {
 /// The program's own text; none where it is more than the page has room for.
 base::Result<std::optional<std::string>> text_of(const files::InputFile& program) {
   if (program.size() > most_page_text) return std::nullopt;
-  std::string text(static_cast<std::size_t>(program.size()), '\0');
-  auto source = program.source();
-  for (std::size_t at = 0; at < text.size();) {
-    const auto got = source(std::span(text).subspan(at));
-    if (!got) return base::failure(got.error());
-    if (*got == 0) text.resize(at);
-    at += *got;
-  }
-  return text;
+  auto text = files::all_of(program.source(), program.size(), program.name());
+  if (!text) return base::failure(text.error());
+  return std::optional(std::move(*text));
 }
 
 }  // namespace
@@ -110,6 +104,7 @@ base::Result<bool> ReportOutput::write_page(const ReportParts& parts, const RunF
                  .text = **text,
                  .machine = parts.machine_file,
                  .tools = parts.tools,
+                 .asked = parts.asked,
                  .command = parts.command_line,
                  .events = json_of_events(recording_->events(), machine_->period),
                  .event_count = recording_->event_count(),

@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
+#include <leadscrew/nc/circle_steps.hpp>
 #include <leadscrew/pulse/free_circle.hpp>
 #include <leadscrew/study/chopped.hpp>
-#include <leadscrew/study/circle_steps.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <numbers>
 #include <utility>
@@ -10,6 +10,8 @@
 // Koren, "Interpolator for a computer numerical control system": x′ = −y, y′ = x by several methods of integration.
 
 namespace leadscrew::study {
+
+using nc::CirclePoint, nc::euler, nc::radius_error, nc::runge_kutta, nc::state_transition, nc::tustin;
 
 namespace {
 

@@ -1,5 +1,5 @@
 #include <cmath>
-#include <leadscrew/study/circle_steps.hpp>
+#include <leadscrew/nc/circle_steps.hpp>
 #include <leadscrew/study/studies.hpp>
 #include <numbers>
 
@@ -7,6 +7,8 @@
 // the step T, and what is left of them in the reference words of a circle.
 
 namespace leadscrew::study {
+
+using nc::CirclePoint, nc::euler, nc::heun, nc::radius_error, nc::runge_kutta, nc::state_transition, nc::tustin;
 
 namespace {
 

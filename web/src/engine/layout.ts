@@ -13,7 +13,7 @@ export const error = {
 } as const;
 
 export const options = {
-  size: 152,
+  size: 168,
   onDiagnostic: 92,
   start: 8,
   file: 100,
@@ -21,6 +21,9 @@ export const options = {
   toolsLength: 108,
   onProgress: 116,
   stepRule: 148,
+  pathMode: 152,
+  hasTolerance: 156,
+  tolerance: 160,
 } as const;
 
 export const limits = {

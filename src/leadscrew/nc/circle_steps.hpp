@@ -2,9 +2,12 @@
 // One step of each method by which "Interpolator for a computer numerical control system" has x′ = −y, y′ = x integrated,
 // T in radians, ω = 1: eqs. 22 to 26 and the Runge-Kutta method that it compares with.
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <leadscrew/numeric/functions.hpp>
 
-namespace leadscrew::study {
+namespace leadscrew::nc {
 
 /// A place on the circle that is generated, of radius 10, in numbers of some kind.
 template <typename Number>
@@ -29,7 +32,7 @@ CirclePoint<Number> tustin(const CirclePoint<Number>& at, double t) {
 /// Eq. 22.
 template <typename Number>
 CirclePoint<Number> state_transition(const CirclePoint<Number>& at, double t) {
-  const Number a = std::cos(t), b = std::sin(t);
+  const Number a = numeric::cos(t), b = numeric::sin(t);
   return {a * at.x - b * at.y, a * at.y + b * at.x};
 }
 
@@ -48,13 +51,43 @@ inline CirclePoint<double> heun(const CirclePoint<double>& at, double t) {
   return {at.x - t * at.y - t * t / 2 * at.x, at.y + t * at.x - t * t / 2 * at.y};
 }
 
+/// Eq. 27: x first, then y by the new x.
+inline CirclePoint<double> x_first(const CirclePoint<double>& at, double t) {
+  const double x = at.x - t * at.y;
+  return {x, at.y + t * x};
+}
+
+enum class CircleRule : std::uint8_t { euler, heun, tustin, x_first, runge_kutta, state_transition };
+inline constexpr std::array<CircleRule, 6> all_circle_rules = {CircleRule::euler,       CircleRule::heun,
+                                                               CircleRule::tustin,      CircleRule::x_first,
+                                                               CircleRule::runge_kutta, CircleRule::state_transition};
+
+/// One step of t radians around (0, 0), counterclockwise where t > 0, by a rule.
+inline CirclePoint<double> step_by(CircleRule rule, const CirclePoint<double>& at, double t) {
+  switch (rule) {
+    case CircleRule::euler:
+      return euler(at, t);
+    case CircleRule::heun:
+      return heun(at, t);
+    case CircleRule::tustin:
+      return tustin(at, t);
+    case CircleRule::x_first:
+      return x_first(at, t);
+    case CircleRule::runge_kutta:
+      return runge_kutta<double>(at.x, at.y, t);
+    case CircleRule::state_transition:
+      break;
+  }
+  return state_transition(at, t);
+}
+
 /// Error of the radius after so many steps of t, by R.
 template <typename Step>
 double radius_error(const Step& step, double t, double count) {
   const CirclePoint<double> from;
   CirclePoint<double> at = from;
   for (double n = 0; n < count; ++n) at = step(at, t);
-  return std::abs(std::hypot(at.x, at.y) / from.x - 1);
+  return std::abs(numeric::hypot(at.x, at.y) / from.x - 1);
 }
 
-}  // namespace leadscrew::study
+}  // namespace leadscrew::nc
