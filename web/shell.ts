@@ -33,7 +33,7 @@ export const pages = {
       "<kbd>Space</kbd> run or pause, where no control has the focus",
   },
   compare: { ...lanes, file: "compare.html", title: "compare", name: "Compare" },
-  words: { ...lanes, file: "words.html", title: "words beside one another", name: "Words", of: "compare" },
+  words: { ...lanes, file: "words.html", title: "words beside one another", name: "Words and pulses", of: "compare" },
   program: {
     file: "program.html",
     title: "program",
@@ -62,7 +62,7 @@ function ways(name: PageName): string {
     link(all[each], all[each].name, each === name ? "page" : isOf(each) ? "true" : undefined),
   );
   const current = (page: PageName): "page" | undefined => (page === name ? "page" : undefined);
-  const compared = [link(compare, "Pulses", current("compare")), link(words, "Words", current("words"))];
+  const compared = [link(compare, "Pulses", current("compare")), link(words, words.name, current("words"))];
   const isCompared = name === "compare" || isOf("compare");
   return `${isCompared ? `<nav class="modes" aria-label="What is compared">${compared.join(" ")}</nav>` : ""}
         <nav class="modes" aria-label="Workbench">${main.join(" ")}</nav>`;

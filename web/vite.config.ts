@@ -3,6 +3,7 @@
 
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
+import { deflateRawSync } from "node:zlib";
 import { defineConfig, type Plugin } from "vite";
 import { framed, pages, type PageName } from "./shell";
 
@@ -10,7 +11,7 @@ const here = (path: string): string => fileURLToPath(new URL(path, import.meta.u
 const built = here("../build/web");
 const names = Object.keys(pages) as PageName[];
 
-/** leadscrew:NAME.wasm as an address or as text; leadscrew:engine, planner and scene as the one or the other way to open them. */
+/** leadscrew:NAME.wasm as an address or as packed text; leadscrew:engine, planner and scene as the one or the other way to open them. */
 function engine(isFile: boolean): Plugin {
   let isServing = false;
   const openers: Readonly<Record<string, string>> = {
@@ -30,7 +31,8 @@ function engine(isFile: boolean): Plugin {
       const [, name, form] = /^\0leadscrew:(\w+\.wasm)\?(\w+)$/.exec(id) ?? [];
       if (name === undefined) return undefined;
       const wasm = `${built}/web/engine/${name}`;
-      if (form === "base64") return `export default ${JSON.stringify(readFileSync(wasm).toString("base64"))}`;
+      if (form === "packed")
+        return `export default ${JSON.stringify(deflateRawSync(readFileSync(wasm), { level: 9 }).toString("base64"))}`;
       if (isServing) return `export default ${JSON.stringify(`/@fs${wasm}`)}`;
       const file = this.emitFile({ type: "asset", name, source: readFileSync(wasm) });
       return `export default import.meta.ROLLUP_FILE_URL_${file}`;

@@ -1,5 +1,6 @@
-// The page that lays methods of reference words, and loops behind them, beside one another.
+// The page that lays methods of reference words, loops behind them, and reference pulses beside one another.
 
+import { openEngine } from "leadscrew:engine";
 import { PlannerClient } from "./engine/planner_client";
 import "./style/page.css";
 import "./style/panel.css";
@@ -9,4 +10,4 @@ import "./style/compare.css";
 import { show } from "./ui/shell";
 import { WordCompare } from "./words/words";
 
-void show(async () => await WordCompare.open(await PlannerClient.open()));
+void show(async () => await WordCompare.open(await PlannerClient.open(), await openEngine()));

@@ -327,14 +327,23 @@ test("a link brings text, machine, colours and time back", async () => {
   await page.press("#limit-velocity-Y", "Enter");
   await planned(page);
   await setTime(page, 0.5);
-  await page.waitForFunction(() => /t=0\.500/.test(location.hash) && /[&]z=/.test(location.hash));
+  await page.focus("#space");
+  for (const key of ["+", "+", "ArrowLeft", "Shift+ArrowUp"]) await page.keyboard.press(key);
+  await page.click("#time-near");
+  await page.waitForFunction(() => ["t=0.500", "&z=", "&v3=", "&s="].every((each) => location.hash.includes(each)));
+  await page.waitForTimeout(1000);
+  const hash = new URL(page.url()).hash;
   const other = await openProgram(browser, page.url());
   assert.equal(await other.page.inputValue("#colouring"), "jerk");
   assert.equal(await other.page.inputValue("#limit-velocity-Y"), "20");
   assert.equal(await timeOf(other.page), 0.5);
   assert.equal(await downloaded(other.page, "save"), text);
   assert.equal(await figure(other.page, "Time"), await figure(page, "Time"));
+  await other.page.waitForTimeout(1000);
+  assert.equal(new URL(other.page.url()).hash, hash); // camera and stretch of time as well
   await other.close();
+  await page.click("#view-fit");
+  await page.click("#time-all");
   await page.click("#machine-reset");
   await planned(page);
 });

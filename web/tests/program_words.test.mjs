@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -46,6 +46,27 @@ for (const name of ["01-plate", "03-arcs-in-three-planes", "09-butterfly"]) {
     assert.equal(await figure(page, "Blocks"), run.blocks.toLocaleString("en"));
   });
 }
+
+test("pulses are the command's dump, byte by byte; a machine that is too fast for them is told", async () => {
+  const { page } = opened;
+  await choose(page, "03-arcs-in-three-planes");
+  const [program, dump] = [join(folder, "arcs.ngc"), join(folder, "steps.vcd")];
+  writeFileSync(program, exampleText("03-arcs-in-three-planes"));
+  native(["run", program, "--quiet", "--pulses", dump]);
+  const shown = await downloaded(page, "export-vcd");
+  const expected = readFileSync(dump, "utf8");
+  assert.ok(expected.length > 10_000 && /X_step/.test(expected));
+  assert.ok(shown === expected, `${shown.length} of ${expected.length} bytes`);
+  const velocity = await page.inputValue("#limit-velocity-X");
+  await page.fill("#limit-velocity-X", "2000");
+  await page.press("#limit-velocity-X", "Enter");
+  await planned(page);
+  await page.click("#export-vcd");
+  await page.waitForFunction(() => /^No pulses: /.test(document.querySelector("#steps-error").textContent));
+  await page.fill("#limit-velocity-X", velocity);
+  await page.press("#limit-velocity-X", "Enter");
+  await planned(page);
+});
 
 test("another machine: its file, as saved, gives the command the same words", async () => {
   const { page } = opened;

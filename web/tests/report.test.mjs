@@ -2,7 +2,7 @@
 // planning anything, and plans anew what is changed.
 
 import assert from "node:assert/strict";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -100,6 +100,27 @@ test("what is changed is planned anew, and what is changed back is the recording
   await page.reload();
   assert.equal(await planned(page), "ready");
   assert.equal(await page.isVisible(".judged"), true);
+  assert.deepEqual(failures, []);
+  await close();
+});
+
+test("what is changed is planned as the run was asked: by its period, mode, tolerance and start", async () => {
+  const asked = ["--period", "2ms", "--mode", "exact-stop", "--start", "X1,Y2"];
+  const { address } = reported("04-square", ...asked);
+  const { page, failures, close } = await openProgram(browser, address);
+  const text = `${exampleText("04-square").replace(/\nM2|\nM30/, "\nG1 X3 Y4\n$&")}`;
+  assert.notEqual(text, exampleText("04-square"));
+  assert.equal(await write(page, text), "ready");
+  const [program, trace, dump] = [
+    join(folder, "changed.ngc"),
+    join(folder, "changed.csv"),
+    join(folder, "changed.vcd"),
+  ];
+  writeFileSync(program, text);
+  native(["run", program, "--quiet", "--trace", trace, "--pulses", dump, ...asked]);
+  assertSameWords(rowsOf(await downloaded(page, "export-csv")), rowsOf(readFileSync(trace, "utf8")));
+  assert.ok((await downloaded(page, "export-vcd")) === readFileSync(dump, "utf8"));
+  assert.match(await page.textContent("#command"), /--period 2000us --mode exact-stop --start X1,Y2 --trace/);
   assert.deepEqual(failures, []);
   await close();
 });

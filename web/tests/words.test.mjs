@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { missedByTab, seriousFindings, tabbed } from "./axe.mjs";
-import { built, native, openBrowser, openPage, serve } from "./browser.mjs";
+import { built, native, nativeTable, openBrowser, openPage, serve } from "./browser.mjs";
 
 let server, browser, words;
 const folder = mkdtempSync(join(tmpdir(), "leadscrew-words-"));
@@ -134,6 +134,72 @@ test("figures of the rules are those of the study, and the paper's stand beside"
   for (const row of await rowsOf(page)) assert.equal(row.Published, "");
 });
 
+test("pulses stand beside words on one curve and one clock, as the command makes them", async () => {
+  const { page } = words;
+  await show(page, "pulses");
+  const rows = await rowsOf(page);
+  const commands = (await page.textContent("#commands")).split("\n");
+  const all = numbersOf(await save(page, "save-words"));
+  const around = (2 * Math.PI * 10) / 20;
+  for (const [lane, blu] of [
+    [2, 0.1],
+    [3, 0.05],
+  ]) {
+    const args = commands[lane].split(" ").slice(1);
+    const [expected] = JSON.parse(native(args)).methods;
+    const row = rows[lane];
+    assert.equal(row.Words, String(expected.clocks));
+    assert.equal(row.Pulses, String(expected.pulses));
+    assert.ok(
+      Math.abs(Number(row["Greatest error"]) - 1000 * blu * expected.max_error_blu) < 0.1,
+      row["Greatest error"],
+    );
+    assert.ok(Math.abs(Number(row.Time) - around) < 0.02 * around, row.Time);
+    const table = nativeTable(args.map((word) => (word === "--json" ? "--table" : word)));
+    const [x, y] = [table.columns.indexOf("x"), table.columns.indexOf("y")];
+    const mine = all.filter(([number]) => number === lane + 1);
+    assert.equal(mine.length, table.rows.length);
+    mine.forEach(([, , atX, atY], i) => {
+      assert.ok(Math.abs(atX - blu * table.rows[i][x]) < 1e-9 && Math.abs(atY - blu * table.rows[i][y]) < 1e-9, `${i}`);
+    });
+    // Over T two clocks pass, or four: of X and Y at once, √2 times as fast.
+    const speed = Number(row["Greatest speed"]);
+    assert.ok(speed >= 20 && speed <= 20 * Math.SQRT2 + 0.01, `${speed}`);
+  }
+  assert.ok(Number(rows[0].Words) < Number(rows[2].Words) && rows[0].Pulses === "");
+  await page.fill("#blu-3", "0.03");
+  await loaded(page);
+  assert.match(await page.textContent("#blu-3-error"), /a = 10 mm is no whole number of 0\.03 mm/);
+  await page.selectOption("#curve", "corner");
+  await loaded(page);
+  assert.match(await page.textContent("#method-4-error"), /lines, circles and ellipses/);
+  assert.equal((await rowsOf(page)).length, 2);
+});
+
+test("a circle by integration errs as its rule does", async () => {
+  const { page } = words;
+  await show(page, "integration");
+  const rows = await rowsOf(page);
+  const [radius, angle] = [10, (50 * 0.01) / 10];
+  const steps = Math.floor((2 * Math.PI) / angle);
+  const grown = (factor) => 1000 * radius * (factor ** steps - 1);
+  const near = (row, value, share) =>
+    assert.ok(
+      Math.abs(Number(row["Greatest error"]) - value) < share * value,
+      `${row.Method}: ${row["Greatest error"]}`,
+    );
+  near(rows[0], grown(Math.sqrt(1 + angle ** 2)), 0.001);
+  near(rows[1], grown(Math.sqrt(1 + angle ** 4 / 4)), 0.01);
+  assert.ok(Number(rows[2]["Greatest error"]) < 1e-6, rows[2]["Greatest error"]);
+  near(rows[3], (1000 * radius * angle) / 2, 0.6); // x² − Txy + y²: an ellipse through the start
+  assert.match(rows[0].Published, /T² a step/);
+  assert.equal(rows[2].Published, "");
+  assert.equal(await page.isVisible("#loops-1"), false);
+  await page.selectOption("#curve", "line");
+  await loaded(page);
+  assert.match(await page.textContent("#method-1-error"), /choose a circle/);
+});
+
 test("T, V and gains are sliders", async () => {
   const { page } = words;
   await show(page, "loops");
@@ -204,8 +270,8 @@ test("files hold what is shown", async () => {
   const { page } = words;
   await show(page, "rules");
   const csv = (await save(page, "save-csv")).split("\n");
-  assert.match(csv[0], /^method,loops,words,/);
-  assert.match(csv[2], /^"Taylor, first order",T 10 ms,303,3\.030,/);
+  assert.match(csv[0], /^method,loops,words,pulses,/);
+  assert.match(csv[2], /^"Taylor, first order",T 10 ms,303,,3\.030,/);
   assert.match(await save(page, "save-svg"), /^<svg xmlns=.*<title>The curve and what is made of it until clock 303/);
   assert.match(await save(page, "save-png"), /^.PNG/);
 });
@@ -229,6 +295,7 @@ for (const theme of ["light", "dark"])
     const { page, strays, failures, close } = await open(file, { colorScheme: theme });
     for (const [id, layout] of [
       ["gains", "overlay"],
+      ["pulses", "overlay"],
       ["corner", "beside"],
     ]) {
       await page.selectOption("#layout", layout);

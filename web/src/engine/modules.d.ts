@@ -2,7 +2,7 @@ declare module "leadscrew:lesson.wasm?url" {
   const address: string;
   export default address;
 }
-declare module "leadscrew:lesson.wasm?base64" {
+declare module "leadscrew:lesson.wasm?packed" {
   const base64: string;
   export default base64;
 }
@@ -10,7 +10,7 @@ declare module "leadscrew:program.wasm?url" {
   const address: string;
   export default address;
 }
-declare module "leadscrew:program.wasm?base64" {
+declare module "leadscrew:program.wasm?packed" {
   const base64: string;
   export default base64;
 }

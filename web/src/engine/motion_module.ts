@@ -1,7 +1,7 @@
 // The calls of leadscrew.h for programs.
 
 import * as layout from "./layout";
-import type { Diagnostic, Figures, Limits, Task } from "./motion_types";
+import { pathModes, type Asked, type Diagnostic, type Figures, type Limits, type Task } from "./motion_types";
 import { WasmModule, type CommonExports, type PageCalls } from "./wasm";
 
 interface Exports extends CommonExports {
@@ -63,12 +63,21 @@ interface Exports extends CommonExports {
   leadscrew_loops_begin(machine: number, options: number, loops: number, error: number): number;
   leadscrew_loops_follow(loops: number, word: number, wordSize: number, followed: number, error: number): number;
   leadscrew_loops_figures(loops: number, figures: number, error: number): number;
+  leadscrew_circle_places(
+    rule: number,
+    angle: number,
+    start: number,
+    places: number,
+    count: number,
+    error: number,
+  ): number;
   leadscrew_loops_free(loops: number): void;
   leadscrew_trajectory_figures(trajectory: number, figures: number, error: number): number;
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
   leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
   leadscrew_trajectory_pose(trajectory: number, time: number, pose: number, error: number): number;
   leadscrew_trajectory_hold(trajectory: number, state: number, feedAsked: number, hold: number, error: number): number;
+  leadscrew_trajectory_steps(trajectory: number, clock: bigint, onText: number, user: number, error: number): number;
   leadscrew_trajectory_free(trajectory: number): void;
   leadscrew_page_on_diagnostic(): number;
   leadscrew_page_on_block(): number;
@@ -76,6 +85,7 @@ interface Exports extends CommonExports {
   leadscrew_page_on_surface(): number;
   leadscrew_page_on_gouge(): number;
   leadscrew_page_on_progress(): number;
+  leadscrew_page_on_text(): number;
 }
 
 const ofAxes = ["least", "greatest", "velocity", "acceleration", "jerk"] as const;
@@ -196,10 +206,21 @@ export class MotionModule extends WasmModule<Exports> {
             this.view.setUint32(options + layout.options.tools, tools, true);
             this.view.setUint32(options + layout.options.toolsLength, toolsLength, true);
           }
+          if (task.asked !== undefined) this.writeAsked(options, task.asked);
           return use(text, length, options);
         }),
       ),
     );
+  }
+
+  /** All but the period, which is the machine's. */
+  private writeAsked(options: number, { mode, tolerance, start }: Asked): void {
+    const { view } = this;
+    start.forEach((each, i) => view.setFloat64(options + layout.options.start + 8 * i, each, true));
+    view.setInt32(options + layout.options.pathMode, pathModes.indexOf(mode), true);
+    if (tolerance === undefined) return;
+    view.setInt32(options + layout.options.hasTolerance, 1, true);
+    view.setFloat64(options + layout.options.tolerance, tolerance, true);
   }
 
   figuresOf(trajectory: number): Figures {

@@ -201,6 +201,21 @@ export interface Plan {
   readonly poles: readonly PoleVisit[];
 }
 
+/** In place of what a program and its machine say. */
+export interface Asked {
+  /** Of the servo, s. */
+  readonly period?: number;
+  /** How moves are joined; an entry of `pathModes`. */
+  readonly mode: PathMode;
+  /** In place of P of G64, mm. */
+  readonly tolerance?: number;
+  /** Where the program begins; a number an axis. */
+  readonly start: readonly number[];
+}
+/** In the order of leadscrew.h. */
+export const pathModes = ["programmed", "exact-stop", "blend"] as const;
+export type PathMode = (typeof pathModes)[number];
+
 export interface Task {
   readonly text: string;
   /** A machine file; empty for the built-in mill. */
@@ -211,6 +226,7 @@ export interface Task {
   readonly tools: string;
   /** Of the feed, above 0, at most 2. */
   readonly override: number;
+  readonly asked?: Asked | undefined;
 }
 
 /** What closes the loops of simulated axes, in the order of leadscrew.h; `own`: what the machine's file says. */
@@ -275,9 +291,22 @@ export interface Slides {
 /** Words of a program, and what loops made of them. */
 export interface WordTask extends Task {
   readonly rule: StepRule;
-  /** Where motion begins, a number an axis. */
-  readonly start: readonly number[];
   readonly loops?: LoopOptions | undefined;
+  /** More words are a problem. */
+  readonly most: number;
+}
+
+/** Rules that integrate a circle a step a period, in the order of leadscrew.h. */
+export const circleRules = ["euler", "heun", "tustin", "x-first", "runge-kutta", "state-transition"] as const;
+export type CircleRule = (typeof circleRules)[number];
+
+/** Words of a whole circle around (0, 0) from (radius, 0), counterclockwise, at constant feed. */
+export interface CircleTask {
+  readonly rule: CircleRule;
+  /** mm, mm/s, s. */
+  readonly radius: number;
+  readonly feed: number;
+  readonly period: number;
   /** More words are a problem. */
   readonly most: number;
 }
@@ -287,6 +316,8 @@ export interface Words {
   readonly period: number;
   /** Words, the first at rest at time 0. */
   readonly count: number;
+  /** Speeds and their changes are taken over so many periods; without it over one. */
+  readonly window?: number;
   /** X, Y and Z, word after word, mm. */
   readonly position: Float64Array;
   /** 1 of a word at which the speed along the path is constant. */
@@ -308,10 +339,14 @@ export interface PlannerCalls {
   gouges(task: Task): Promise<readonly Gouge[] | Diagnostic>;
   /** Every word of a program, by a rule; through loops where they are given. */
   words(task: WordTask): Promise<Words | Diagnostic>;
+  /** Every word of a circle by integration. */
+  circle(task: CircleTask): Promise<Words | Diagnostic>;
   /** What loops make of the words of what was planned last. */
   slides(task: Task, loops: LoopOptions): Promise<Slides | Diagnostic>;
   /** All words of what was planned last, as `leadscrew run --trace` writes them. */
   trace(): Promise<Blob>;
+  /** Step and direction of all axes along what was planned last, as `leadscrew run --pulses FILE.vcd` writes them; Hz. */
+  steps(clock: number): Promise<Blob | Diagnostic>;
   /** What a code or a block means; empty where nothing is known. */
   explain(block: string): Promise<string>;
 }

@@ -4,6 +4,7 @@ import * as layout from "./layout";
 import { MotionModule } from "./motion_module";
 import type {
   Checked,
+  CircleTask,
   Diagnostic,
   Figures,
   Gouge,
@@ -23,7 +24,7 @@ import { lostOf, pathOf, polesOf, rangesOf } from "./path";
 import { gougeAt, surfaceAt, toolAt } from "./surfaces";
 import { slidesOf } from "./loops";
 import { axesOf, BlockList, samplesOf, traceOf } from "./sampling";
-import { wordsOf } from "./words";
+import { circleWords, wordsOf } from "./words";
 
 const mostLosses = 50; // told one by one
 const shownSag = 0.02; // mm, of surfaces that are only looked at
@@ -54,6 +55,7 @@ export class Planner implements PlannerCalls {
   private tools: ToolShape[] = [];
   private surfaces: SurfaceMesh[] = [];
   private gouged: Gouge[] = [];
+  private written: Uint8Array<ArrayBuffer>[] = [];
   private phase: Phase = "reading";
   private module!: MotionModule;
   private mill = 0;
@@ -69,6 +71,10 @@ export class Planner implements PlannerCalls {
       tool: (at) => void planner.tools.push(toolAt(module, at)),
       surface: (at) => void planner.surfaces.push(surfaceAt(module, at)),
       gouge: (at) => void planner.gouged.push(gougeAt(module, at)),
+      text: (at, length) => {
+        planner.written.push(new Uint8Array(module.calls.memory.buffer, at, length).slice());
+        return 0;
+      },
       progress: (share) => (told(planner.phase, share), 0),
     });
     planner.module = module;
@@ -174,6 +180,10 @@ export class Planner implements PlannerCalls {
     }
   }
 
+  async circle(task: CircleTask): Promise<Words | Diagnostic> {
+    return circleWords(this.module, task);
+  }
+
   async slides(task: Task, loops: LoopOptions): Promise<Slides | Diagnostic> {
     const { module, planned } = this;
     if (planned === undefined) return nothingPlanned;
@@ -197,6 +207,24 @@ export class Planner implements PlannerCalls {
   async trace(): Promise<Blob> {
     if (this.planned === undefined) return new Blob([]);
     return traceOf({ module: this.module, ...this.planned });
+  }
+
+  async steps(clock: number): Promise<Blob | Diagnostic> {
+    const { module, planned } = this;
+    if (planned === undefined) return nothingPlanned;
+    this.written = [];
+    const failure = module.failed((error) =>
+      module.calls.leadscrew_trajectory_steps(
+        planned.trajectory,
+        BigInt(clock),
+        module.calls.leadscrew_page_on_text(),
+        0,
+        error,
+      ),
+    );
+    const dump = new Blob(this.written, { type: "text/plain" });
+    this.written = [];
+    return failure ?? dump;
   }
 
   /** The machine of its file, with the limits of the task. */

@@ -42,8 +42,10 @@ export class PlannerClient implements PlannerCalls {
   readonly equipment: PlannerCalls["equipment"] = (task) => this.call("equipment", [task]);
   readonly gouges: PlannerCalls["gouges"] = (task) => this.call("gouges", [task]);
   readonly words: PlannerCalls["words"] = (task) => this.call("words", [task]);
+  readonly circle: PlannerCalls["circle"] = (task) => this.call("circle", [task]);
   readonly slides: PlannerCalls["slides"] = (task, loops) => this.call("slides", [task, loops]);
   readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);
+  readonly steps: PlannerCalls["steps"] = (clock) => this.call("steps", [clock]);
   readonly explain: PlannerCalls["explain"] = (block) => this.call("explain", [block]);
 
   get isBusy(): boolean {

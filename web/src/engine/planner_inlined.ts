@@ -1,11 +1,11 @@
 // The planner of a page that is one file: a worker of text that is within it.
 
-import base64 from "leadscrew:program.wasm?base64";
+import text from "leadscrew:program.wasm?packed";
+import { unpacked } from "../ui/packing";
 import InlineWorker from "./planner_worker?worker&inline";
 
 export async function wasmBytes(): Promise<Uint8Array> {
-  const text = atob(base64);
-  return Uint8Array.from(text, (character) => character.charCodeAt(0));
+  return await unpacked(text);
 }
 
 export function startWorker(): Worker {

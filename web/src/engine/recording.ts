@@ -4,6 +4,7 @@ import {
   axisLetters,
   parts,
   toolParts,
+  type Asked,
   type Blocks,
   type Diagnostic,
   type Figures,
@@ -115,6 +116,11 @@ export interface Recording {
   /** A machine file; empty for the built-in mill. */
   readonly machine: string;
   readonly tools: string;
+  readonly asked: {
+    readonly mode: "exact-stop" | "blend" | null;
+    readonly tolerance_mm: number | null;
+    readonly start: readonly number[];
+  };
   /** The first of them. */
   readonly events: readonly {
     readonly t: number;
@@ -136,6 +142,17 @@ export interface Recording {
 }
 
 const mostLosses = 50; // told one by one
+
+/** What the run was asked for. */
+export function askedOf({ asked, result }: Recording): Asked {
+  const { mode, tolerance_mm: tolerance, start } = asked;
+  return {
+    period: result.period_s,
+    mode: mode ?? "programmed",
+    ...(tolerance === null ? {} : { tolerance }),
+    start,
+  };
+}
 
 /** Of this page; undefined where there is none. */
 export function recordingOfPage(): Recording | undefined {

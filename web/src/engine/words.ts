@@ -3,7 +3,7 @@
 import * as layout from "./layout";
 import { slidesOf } from "./loops";
 import type { MotionModule } from "./motion_module";
-import { stepRules, type Diagnostic, type Words, type WordTask } from "./motion_types";
+import { circleRules, stepRules, type CircleTask, type Diagnostic, type Words, type WordTask } from "./motion_types";
 import { axesOf } from "./sampling";
 
 const wordsACall = 512;
@@ -29,6 +29,27 @@ export function wordsOf(module: MotionModule, machine: number, task: WordTask): 
   return { period, count, position, steady, cost, slides };
 }
 
+/** Once around, as far as whole steps lead. */
+export function circleWords(module: MotionModule, task: CircleTask): Words | Diagnostic {
+  const { rule, radius, feed, period, most } = task;
+  const angle = (feed * period) / radius;
+  const count = Math.floor((2 * Math.PI) / angle) + 1;
+  if (count > most) return tooManyWords(most);
+  const began = performance.now();
+  const position = new Float64Array(3 * count);
+  module.with(16, (start) =>
+    module.with(16 * count, (places) => {
+      module.view.setFloat64(start, radius, true);
+      module.calls.leadscrew_circle_places(circleRules.indexOf(rule), angle, start, places, count, 0);
+      const { view } = module;
+      for (let i = 0; i < count; ++i)
+        for (let k = 0; k < 2; ++k) position[3 * i + k] = view.getFloat64(places + 16 * i + 8 * k, true);
+    }),
+  );
+  const cost = ((performance.now() - began) * 1e6) / count;
+  return { period, count, position, steady: new Uint8Array(count).fill(1), cost, slides: undefined };
+}
+
 interface Made {
   /** Nine numbers a word. */
   readonly positions: Float64Array;
@@ -40,7 +61,6 @@ const constantSpeed = 2; // state of a word
 function madeWords(module: MotionModule, machine: number, task: WordTask): Made | Diagnostic {
   const motion = module.withProgram(task, (text, length, options) => {
     module.view.setInt32(options + layout.options.stepRule, stepRules.indexOf(task.rule), true);
-    task.start.forEach((each, i) => module.view.setFloat64(options + layout.options.start + 8 * i, each, true));
     return module.made((to, error) =>
       module.calls.leadscrew_motion_of_program(machine, text, length, options, to, error),
     );

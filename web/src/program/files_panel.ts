@@ -1,13 +1,15 @@
 // What is shown as files, and the command that gives the same words.
 
 import { download } from "../lesson/files";
-import type { Limits } from "../engine/motion_types";
+import type { Diagnostic, Limits } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import { commandOf, type Settings } from "./settings";
 
 export interface FilesEvents {
   /** Every word; undefined where there is no motion. */
   trace(): Promise<Blob | undefined>;
+  /** Step and direction of every axis, a value-change dump, or why drives cannot have them. */
+  steps(): Promise<Blob | Diagnostic | undefined>;
   /** The path as it is seen. */
   svg(): string;
   png(): Promise<Blob>;
@@ -17,6 +19,7 @@ export class FilesPanel {
   readonly element: HTMLElement;
   private readonly command = html("code", { class: "command", id: "command", tabindex: 0, "aria-label": "Command" });
   private readonly note = html("p", { class: "note" });
+  private readonly refusal = html("p", { class: "error", id: "steps-error", role: "alert" });
   private name = "program";
 
   constructor(events: FilesEvents) {
@@ -35,6 +38,7 @@ export class FilesPanel {
       );
     const buttons = [
       save("export-csv", "Words, CSV", "csv", "text/csv", () => events.trace()),
+      save("export-vcd", "Pulses, VCD", "vcd", "text/plain", () => this.sound(events.steps())),
       save("export-svg", "Path, SVG", "svg", "image/svg+xml", () => events.svg()),
       save("export-png", "Path, PNG", "png", "image/png", () => events.png()),
       html(
@@ -50,11 +54,21 @@ export class FilesPanel {
       html("div", { class: "buttons" }, ...buttons),
       this.command,
       this.note,
+      this.refusal,
     );
+  }
+
+  /** What is wrong is told. */
+  private async sound(made: Promise<Blob | Diagnostic | undefined>): Promise<Blob | undefined> {
+    const steps = await made;
+    const isWrong = steps !== undefined && "code" in steps;
+    this.refusal.textContent = isWrong ? `No pulses: ${steps.message}: ${steps.hint}` : "";
+    return isWrong ? undefined : steps;
   }
 
   /** Of these settings, whose machine is `machine` without changes. */
   show(settings: Settings, machine: Limits): void {
+    this.refusal.textContent = "";
     this.name = settings.name.replace(/\.\w+$/, "");
     const command = commandOf(settings, machine);
     this.command.textContent = command;

@@ -44,6 +44,8 @@ const partNames: Readonly<Record<(typeof parts)[number], string>> = {
 export interface PathCalls {
   picked(sample: number): void;
   coloured(colouring: Colouring): void;
+  /** It is seen from elsewhere, as `view.seen` says. */
+  moved(): void;
 }
 
 function keyOf(background: string, name: string): HTMLElement {
@@ -59,7 +61,10 @@ export class PathPanel {
   private readonly legend = html("div", { class: "legend", id: "legend" });
 
   constructor(private readonly calls: PathCalls) {
-    this.view = new PathView((sample) => calls.picked(sample));
+    this.view = new PathView(
+      (sample) => calls.picked(sample),
+      () => calls.moved(),
+    );
     for (const each of colourings) this.choice.append(new Option(names[each], each));
   }
 
@@ -97,9 +102,9 @@ export class PathPanel {
     this.choice.value = colouring;
   }
 
-  load(plan: Plan, colouring: Colouring, keepCamera: boolean): void {
+  load(plan: Plan, colouring: Colouring, seen: string | undefined): void {
     this.plan = plan;
-    this.view.load(plan, colouring, keepCamera);
+    this.view.load(plan, colouring, seen);
     this.showLegend(plan);
   }
 

@@ -3,11 +3,12 @@
 
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { Diagnostic, Gouge, Limits, LoopOptions, Plan, Slides, Task } from "../engine/motion_types";
-import { diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
-import { copied, fromLink, isAsBegun, toLink, type Settings } from "./settings";
+import { askedOf, diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
+import { asAsked, copied, fromLink, isAsBegun, toLink, type Origin, type Settings } from "./settings";
 
 const mostSamples = 1_000_000;
 const typingPause = 250; // ms
+const stepClock = 1_000_000; // Hz, as the command has it without --step-clock
 
 /** Why there is no plan. */
 export type End = "unsound" | "cancelled" | "failed";
@@ -27,6 +28,10 @@ export interface PlanningEvents {
   refused(message: string): void;
 }
 
+function originOf(recording: Recording | undefined): Origin | undefined {
+  return recording === undefined ? undefined : { ...recording, asked: askedOf(recording) };
+}
+
 export class Planning {
   events: PlanningEvents | undefined;
   private runs = 0;
@@ -34,7 +39,7 @@ export class Planning {
 
   /** With what the command has recorded, where it has. */
   static async open(planner: PlannerClient, recording?: Recording): Promise<Planning> {
-    const [settings, machine] = await fromLink(location.hash, planner.limits, recording);
+    const [settings, machine] = await fromLink(location.hash, planner.limits, originOf(recording));
     return new Planning(planner, settings, machine, recording);
   }
 
@@ -53,18 +58,19 @@ export class Planning {
 
   /** What is set, as the engine is asked for it. */
   private get task(): Task {
-    const { text, machine, limits, tools, override } = this.settings;
-    return { text, machine, limits, tools, override: override / 100 };
+    const { text, machine, limits, tools, override, asked } = this.settings;
+    return { text, machine, limits, tools, override: override / 100, asked };
   }
 
   /** What is shown as it was recorded: nothing of it has been changed. */
   private get recorded(): Recording | undefined {
     const { recording, settings, machine } = this;
-    return recording !== undefined && isAsBegun(settings, machine, recording) ? recording : undefined;
+    const origin = originOf(recording);
+    return origin !== undefined && isAsBegun(settings, machine, origin) ? recording : undefined;
   }
 
   async link(): Promise<string> {
-    return await toLink(this.settings, this.machine, this.recording);
+    return await toLink(this.settings, this.machine, originOf(this.recording));
   }
 
   /** Of a code, while the planner has nothing else to do. */
@@ -87,6 +93,16 @@ export class Planning {
     return this.recorded !== undefined ? traceOf(this.recorded) : await unlessCancelled(this.planner.trace());
   }
 
+  /** Step and direction of what is shown; what is wrong where drives cannot have them. */
+  async steps(): Promise<Blob | Diagnostic | undefined> {
+    if (this.planner.isBusy) return undefined;
+    if (this.recorded !== undefined) {
+      const planned = await unlessCancelled(this.planner.plan(this.task, 2));
+      if (planned === undefined || "code" in planned) return planned;
+    }
+    return await unlessCancelled(this.planner.steps(stepClock));
+  }
+
   /** Plans soon: typing comes faster than plans are made. */
   typed(text: string): void {
     this.settings.text = text;
@@ -105,9 +121,9 @@ export class Planning {
       this.events?.refused(`${place}${limits.message}${limits.hint === "" ? "" : `: ${limits.hint}`}`);
       return false;
     }
-    this.machine = limits;
+    this.machine = asAsked(limits, this.settings.asked);
     this.settings.machine = file;
-    this.settings.limits = copied(limits);
+    this.settings.limits = copied(this.machine);
     this.events?.equipped();
     return true;
   }
@@ -116,7 +132,7 @@ export class Planning {
   async restore(): Promise<boolean> {
     clearTimeout(this.typing);
     this.planner.cancel();
-    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits, this.recording));
+    const restored = await unlessCancelled(fromLink(location.hash, this.planner.limits, originOf(this.recording)));
     if (restored === undefined) return false;
     [this.settings, this.machine] = restored;
     return true;

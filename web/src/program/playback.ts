@@ -1,6 +1,7 @@
 // The clock of the motion: forward and back at any speed, to any time.
 
 import { fixed, html } from "../ui/dom";
+import { icon, redrawIcon } from "../ui/icons";
 
 const speeds = ["0.01", "0.1", "0.25", "0.5", "1", "2", "5", "10", "50"] as const;
 
@@ -24,13 +25,13 @@ export class Playback {
   private readonly speed = html("select", { id: "speed", "aria-label": "Speed of playback" });
   private readonly buttons = (
     [
-      ["begin", "Begin", "⏮", () => this.seek(0)],
-      ["play-back", "Play backwards", "◀", () => this.toggle(-1)],
-      ["play", "Play", "▶", () => this.toggle(1)],
-      ["end", "End", "⏭", () => this.seek(this.duration)],
+      ["begin", "Begin", "begin", () => this.seek(0)],
+      ["play-back", "Play backwards", "back", () => this.toggle(-1)],
+      ["play", "Play", "play", () => this.toggle(1)],
+      ["end", "End", "end", () => this.seek(this.duration)],
     ] as const
-  ).map(([id, label, text, click]) =>
-    html("button", { type: "button", id, "aria-label": label, title: label, click }, text),
+  ).map(([id, label, sign, click]) =>
+    html("button", { type: "button", id, "aria-label": label, title: label, click }, icon(sign)),
   );
 
   constructor(private readonly moved: (time: number) => void) {
@@ -107,7 +108,7 @@ export class Playback {
       const direction = button.id === "play" ? 1 : button.id === "play-back" ? -1 : 0;
       if (direction === 0) continue;
       const isOn = this.direction === direction;
-      button.textContent = isOn ? "⏸" : direction > 0 ? "▶" : "◀";
+      redrawIcon(button, isOn ? "pause" : direction > 0 ? "play" : "back");
       button.setAttribute("aria-pressed", String(isOn));
     }
   }

@@ -36,9 +36,30 @@ export class Plots {
   private stretch: [number, number] = [0, 1];
   private time = 0;
 
-  constructor(private readonly seek: (time: number) => void) {
+  /** `stretched`: another stretch of time is shown; all of it without one. */
+  constructor(
+    private readonly seek: (time: number) => void,
+    private readonly stretched: (stretch: readonly [number, number] | undefined) => void,
+  ) {
     this.element.append(...this.frames);
     new ResizeObserver(() => this.resize()).observe(this.element);
+  }
+
+  panel(): HTMLElement {
+    const near = (): void => {
+      const reach = Math.max((this.plan?.figures.time ?? 1) / 40, 0.05);
+      this.show(this.time - reach, this.time + reach);
+    };
+    const button = (id: string, text: string, click: () => void): HTMLElement =>
+      html("button", { type: "button", id, click }, text);
+    const all = button("time-all", "All", () => this.show(0, Infinity));
+    const tools = html("div", { class: "tools" }, this.keys, all, button("time-near", "Around the tool", near));
+    return html(
+      "section",
+      { class: "panel", "aria-label": "Over time" },
+      html("div", { class: "panel-head" }, html("h2", {}, "Over time"), tools),
+      this.element,
+    );
   }
 
   /** In steps, to be taken one after the other. */
@@ -69,6 +90,8 @@ export class Plots {
     const end = Math.max(this.plan.figures.time, this.plan.samples.step);
     this.stretch = [Math.max(0, from), Math.min(end, to)];
     this.plots.forEach((_, row) => this.fill(row));
+    const isAll = this.stretch[0] === 0 && this.stretch[1] === end;
+    this.stretched(isAll ? undefined : this.stretch);
   }
 
   private clear(): void {

@@ -1,7 +1,8 @@
 // What the reader has set, and the link that brings it back.
 
-import { axisLetters, type Diagnostic, type Limits } from "../engine/motion_types";
+import { axisLetters, type Asked, type Diagnostic, type Limits } from "../engine/motion_types";
 import { exampleOf, examples } from "./examples";
+import { packed, unpacked } from "../ui/packing";
 import { loopsOf, textOf as textOfLoops, type LoopSettings } from "./loops";
 
 export const colourings = ["speed", "acceleration", "jerk", "limit", "part", "line"] as const;
@@ -22,12 +23,18 @@ export interface Settings {
   colouring: Colouring;
   /** Where the cursor is, s. */
   time: number;
+  /** From where the path is seen, as PathView says; empty: all of it, as at first. */
+  seen: string;
+  /** Of the time that plots show, s; none: all of it. */
+  stretch: readonly [number, number] | undefined;
   /** That follow; none: only words are looked at. */
   loops: LoopSettings | undefined;
+  /** Of all that a report plans: what its run was asked for. */
+  asked: Asked | undefined;
 }
 
 /** What a page begins with, where no link says otherwise: the file name is its own. */
-export type Origin = Pick<Settings, "text" | "name" | "machine" | "tools">;
+export type Origin = Pick<Settings, "text" | "name" | "machine" | "tools"> & Partial<Pick<Settings, "asked">>;
 
 const longestLink = 8000; // characters; longer ones mail and chat programs cut off
 
@@ -36,6 +43,11 @@ export type LimitsOf = (machine: string) => Promise<Limits | Diagnostic>;
 
 export function copied(limits: Limits): Limits {
   return structuredClone(limits);
+}
+
+/** A machine with the period that was asked for. */
+export function asAsked(limits: Limits, asked: Asked | undefined): Limits {
+  return asked?.period === undefined ? limits : { ...limits, period: asked.period };
 }
 
 async function limitsOrMill(settings: Settings, limitsOf: LimitsOf): Promise<Limits> {
@@ -47,36 +59,18 @@ async function limitsOrMill(settings: Settings, limitsOf: LimitsOf): Promise<Lim
   return built;
 }
 
-async function through(stream: CompressionStream | DecompressionStream, bytes: Uint8Array): Promise<Uint8Array> {
-  const piped = new Blob([bytes as BlobPart]).stream().pipeThrough(stream);
-  return new Uint8Array(await new Response(piped).arrayBuffer());
-}
-
-async function packed(text: string): Promise<string> {
-  const bytes = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(text));
-  let characters = "";
-  for (const byte of bytes) characters += String.fromCharCode(byte);
-  return btoa(characters).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
-}
-
-async function unpacked(text: string): Promise<string> {
-  const characters = atob(text.replaceAll("-", "+").replaceAll("_", "/"));
-  const bytes = Uint8Array.from(characters, (character) => character.charCodeAt(0));
-  return new TextDecoder().decode(await through(new DecompressionStream("deflate-raw"), bytes));
-}
-
 const limitNames = { velocity: "v", acceleration: "a", jerk: "j" } as const;
 
 async function putText(link: URLSearchParams, key: string, text: string): Promise<void> {
   if (text.length === 0 || text.length >= 100_000) return;
-  const short = await packed(text);
+  const short = await packed(new TextEncoder().encode(text));
   if (short.length <= longestLink) link.set(key, short);
 }
 
 async function textOf(link: URLSearchParams, key: string, otherwise: string): Promise<string> {
   try {
     const text = link.get(key);
-    return text === null ? otherwise : await unpacked(text);
+    return text === null ? otherwise : new TextDecoder().decode(await unpacked(text));
   } catch {
     return otherwise; // half a link
   }
@@ -99,9 +93,17 @@ export async function toLink(settings: Settings, machine: Limits, origin?: Origi
   if (settings.limits.tolerance !== machine.tolerance) link.set("tol", String(settings.limits.tolerance));
   if (settings.override !== 100) link.set("o", String(settings.override));
   if (settings.loops !== undefined) link.set("loops", textOfLoops(settings.loops));
+  if (settings.seen !== "") link.set("v3", settings.seen);
+  if (settings.stretch !== undefined)
+    link.set("s", settings.stretch.map((each) => Number(each.toPrecision(7))).join("_"));
   link.set("c", settings.colouring);
   link.set("t", settings.time.toFixed(3));
   return `#${link.toString()}`;
+}
+
+function stretchOf(text: string): readonly [number, number] | undefined {
+  const [from = NaN, to = NaN] = text.split("_").map(Number);
+  return from >= 0 && to > from ? [from, to] : undefined;
 }
 
 function beginningOf(link: URLSearchParams, origin?: Origin): Origin {
@@ -130,10 +132,13 @@ export async function fromLink(
     override: 100,
     colouring: "speed",
     time: 0,
+    seen: (link.get("v3") ?? "").slice(0, 100),
+    stretch: stretchOf(link.get("s") ?? ""),
     loops: loopsOf(link.get("loops") ?? ""),
+    asked: origin?.asked,
   };
   if (settings.text !== begin.text) settings.name = link.get("name") ?? "program.ngc";
-  const machine = await limitsOrMill(settings, limitsOf);
+  const machine = asAsked(await limitsOrMill(settings, limitsOf), settings.asked);
   settings.limits = copied(machine);
   for (const [name, short] of Object.entries(limitNames) as ["velocity" | "acceleration" | "jerk", string][]) {
     const numbers = (link.get(short) ?? "").split("_").map(Number);
@@ -172,7 +177,20 @@ export function commandOf(settings: Settings, machine: Limits): string {
   const isBuiltIn = settings.machine === "" && isMachine(settings.limits, machine);
   const file = isBuiltIn ? "" : " --machine machine.toml";
   const tools = settings.tools === "" ? "" : " --tools tools.tbl";
-  return `leadscrew run ${name}${file}${tools} --trace words.csv`;
+  return `leadscrew run ${name}${file}${tools}${askedText(settings.asked)} --trace words.csv`;
+}
+
+/** What was asked for, as options of the command. */
+function askedText(asked: Asked | undefined): string {
+  if (asked === undefined) return "";
+  const { period, mode, tolerance, start } = asked;
+  const from = start.map((each, i) => (each === 0 ? "" : `${axisLetters[i]}${each}`)).filter((each) => each !== "");
+  return [
+    period === undefined ? "" : ` --period ${Number((period * 1e6).toFixed(3))}us`,
+    mode === "programmed" ? "" : ` --mode ${mode}`,
+    tolerance === undefined ? "" : ` --tolerance ${tolerance}`,
+    from.length === 0 ? "" : ` --start ${from.join(",")}`,
+  ].join("");
 }
 
 /** The machine as a file of the command: as it was opened, with the limits that were changed. */

@@ -30,8 +30,14 @@ export class PathView {
   private tool: StandingTool | undefined;
   private frame = 0;
   private isPathStale = false;
+  /** All of the path is in the picture, whatever its size. */
+  private isFitted = true;
+  private width = 0;
 
-  constructor(private readonly picked: (sample: number) => void) {
+  constructor(
+    private readonly picked: (sample: number) => void,
+    private readonly moved: () => void,
+  ) {
     try {
       this.scene = new SceneClient(() => this.countPicture());
     } catch {
@@ -45,7 +51,29 @@ export class PathView {
     new ResizeObserver(() => this.resize()).observe(this.element);
   }
 
-  load(plan: Plan, colouring: Colouring, keepCamera: boolean): void {
+  /** From where it is seen: turned by degrees, and, where that is not all of it, so many mm across around a place. */
+  get seen(): string {
+    const { azimuth, elevation, target, scale } = this.camera;
+    const near = this.isFitted ? [] : [...target, this.element.clientWidth / scale];
+    return [azimuth, elevation, ...near].map((each) => Number(each.toPrecision(7))).join("_");
+  }
+
+  /** The same again; what is none leaves it as it is. */
+  see(text: string): void {
+    const [azimuth = NaN, elevation = NaN, x, y, z, across] = text.split("_").map(Number);
+    if (text !== "" && Number.isFinite(azimuth) && Math.abs(elevation) <= 90)
+      Object.assign(this.camera, { azimuth, elevation });
+    this.fit();
+    if (x === undefined || y === undefined || z === undefined || across === undefined) return;
+    if (![x, y, z].every(Number.isFinite) || !(across > 0)) return;
+    this.camera.target = [x, y, z];
+    this.camera.scale = this.element.clientWidth / across;
+    this.isFitted = false;
+    this.draw();
+  }
+
+  /** `seen`: from where; without it, as before. */
+  load(plan: Plan, colouring: Colouring, seen: string | undefined): void {
     this.plan = plan;
     this.path = plan.path;
     this.overlay.mark([]);
@@ -53,7 +81,7 @@ export class PathView {
     this.overlay.poles = plan.poles.map(({ sample }) => [...plan.samples.tip.subarray(sample * 3, sample * 3 + 3)]);
     this.scene?.load(plan.drawn, plan.surfaces);
     this.paint(colouring);
-    if (!keepCamera) this.fit();
+    if (seen !== undefined) this.see(seen);
   }
 
   paint(colouring: Colouring): void {
@@ -112,6 +140,7 @@ export class PathView {
 
   fit(): void {
     if (this.path === undefined) return;
+    this.isFitted = true;
     fit(this.camera, this.path.least, this.path.greatest, this.element.clientWidth, this.element.clientHeight);
     this.draw();
   }
@@ -146,6 +175,7 @@ export class PathView {
   /** The path, and what moves over it. */
   private draw(): void {
     this.isPathStale = true;
+    this.moved();
     this.drawOver();
   }
 
@@ -170,8 +200,12 @@ export class PathView {
   }
 
   private resize(): void {
-    this.scene?.size(this.element.clientWidth, this.element.clientHeight);
-    this.fit();
+    const { clientWidth: width, clientHeight: height } = this.element;
+    this.scene?.size(width, height);
+    if (this.width > 0) this.camera.scale *= width / this.width;
+    this.width = width;
+    if (this.isFitted) this.fit();
+    else this.draw();
   }
 
   private listen(): void {
@@ -187,6 +221,7 @@ export class PathView {
       if (from === undefined) return;
       const [x, y] = [event.clientX - from.clientX, event.clientY - from.clientY];
       moved += Math.abs(x) + Math.abs(y);
+      this.isFitted = false;
       if (event.shiftKey || event.buttons === 2 || event.buttons === 4) pan(camera, x, y);
       else turn(camera, -x / 3, y / 3);
       from = event;
@@ -209,6 +244,7 @@ export class PathView {
   }
 
   private zoom(factor: number, x: number, y: number): void {
+    this.isFitted = false;
     zoom(this.camera, factor, x, y, this.element.clientWidth, this.element.clientHeight);
     this.draw();
   }
@@ -216,8 +252,11 @@ export class PathView {
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const { clientWidth: width, clientHeight: height } = this.element;
-    const go = (x: number, y: number): void =>
-      event.shiftKey ? pan(this.camera, 30 * x, -30 * y) : turn(this.camera, -5 * x, -5 * y);
+    const go = (x: number, y: number): void => {
+      this.isFitted = false;
+      if (event.shiftKey) pan(this.camera, 30 * x, -30 * y);
+      else turn(this.camera, -5 * x, -5 * y);
+    };
     const actions: Readonly<Record<string, () => void>> = {
       ArrowLeft: () => go(-1, 0),
       ArrowRight: () => go(1, 0),

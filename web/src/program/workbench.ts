@@ -37,7 +37,13 @@ export class Workbench implements Mode {
   private readonly program: ProgramPanel;
   private readonly machineForm: MachineForm;
   private readonly path: PathPanel;
-  private readonly plots = new Plots((time) => this.playback.seek(time));
+  private readonly plots = new Plots(
+    (time) => this.playback.seek(time),
+    (stretch) => {
+      this.settings.stretch = stretch;
+      this.keepLink();
+    },
+  );
   private readonly playback: Playback = new Playback((time) => this.stand(time));
   private readonly figures = new FiguresPanel();
   private readonly losses = new LossTable((line, time) => this.goTo(line, time));
@@ -66,6 +72,7 @@ export class Workbench implements Mode {
   private readonly judged: JudgedPanel | undefined;
   private readonly files = new FilesPanel({
     trace: async () => (this.plan === undefined ? undefined : await this.planning.trace()),
+    steps: async () => (this.plan === undefined ? undefined : await this.planning.steps()),
     svg: () => this.path.view.svgText(),
     png: () => this.path.view.pngBlob(),
   });
@@ -106,6 +113,11 @@ export class Workbench implements Mode {
         this.settings.colouring = colouring;
         this.keepLink();
       },
+      moved: () => {
+        if (this.plan === undefined) return;
+        this.settings.seen = this.path.view.seen;
+        this.keepLink();
+      },
     });
     this.element = html(
       "div",
@@ -117,7 +129,7 @@ export class Workbench implements Mode {
         this.live?.element,
         this.progress.element,
         this.path.element(this.playback.element, this.figures.now),
-        html("section", { class: "panel", "aria-label": "Over time" }, this.plotsHead(), this.plots.element),
+        this.plots.panel(),
         html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
         this.judged?.element,
         this.losses.element,
@@ -167,26 +179,6 @@ export class Workbench implements Mode {
     this.mark();
   }
 
-  private plotsHead(): HTMLElement {
-    const all = (): void => this.plots.show(0, Infinity);
-    const near = (): void => {
-      const reach = Math.max((this.plan?.figures.time ?? 1) / 40, 0.05);
-      this.plots.show(this.playback.time - reach, this.playback.time + reach);
-    };
-    return html(
-      "div",
-      { class: "panel-head" },
-      html("h2", {}, "Over time"),
-      html(
-        "div",
-        { class: "tools" },
-        this.plots.keys,
-        html("button", { type: "button", id: "time-all", click: all }, "All"),
-        html("button", { type: "button", id: "time-near", click: near }, "Around the tool"),
-      ),
-    );
-  }
-
   private async openExample({ name, text, machine, tools }: Example): Promise<void> {
     const file = machine ?? "";
     if (file !== this.settings.machine && !(await this.planning.takeMachine(file))) return;
@@ -204,7 +196,7 @@ export class Workbench implements Mode {
   private openText(name: string, text: string): void {
     this.settings.name = name;
     this.settings.text = text;
-    this.settings.time = 0;
+    Object.assign(this.settings, { time: 0, seen: "", stretch: undefined });
     this.isNewText = true;
     this.editor.set(text);
     void this.planning.run();
@@ -268,7 +260,7 @@ export class Workbench implements Mode {
   private async load(plan: Plan, isCurrent: () => boolean): Promise<void> {
     delete this.element.dataset["shows"];
     const panels = [
-      () => this.path.load(plan, this.settings.colouring, !this.isNewText),
+      () => this.path.load(plan, this.settings.colouring, this.isNewText ? this.settings.seen : undefined),
       () => this.figures.load(plan),
       () => this.losses.load(plan),
       () => this.gouges.load(plan),
@@ -281,6 +273,7 @@ export class Workbench implements Mode {
       if (!isCurrent()) return;
     }
     this.plan = plan;
+    if (this.settings.stretch !== undefined) this.plots.show(...this.settings.stretch);
     this.progress.rest("");
     this.line = 0;
     this.isNewText = false;

@@ -116,6 +116,18 @@ export function programOf(curve: Curve, course: Course, feed: number): string {
   return [`G21 G90 G17 ${mode} G94`, word("F", feed * 60), ...blocks, "M2", ""].join("\n");
 }
 
+/** mm */
+export function lengthOf(curve: Curve): number {
+  let length = 0;
+  let [x, y] = curve.at(0);
+  for (let i = 1; i <= 400; ++i) {
+    const [nextX, nextY] = curve.at(i / 400);
+    length += Math.hypot(nextX - x, nextY - y);
+    [x, y] = [nextX, nextY];
+  }
+  return Math.max(length, 1e-9);
+}
+
 const looks = 24; // places that are compared before the nearest is narrowed down
 const golden = (Math.sqrt(5) - 1) / 2;
 

@@ -35,9 +35,10 @@ export function machineOf(task: WordTask): string {
 
 /** Of a lane, by its number from 1. */
 export function commandOf(task: WordTask, number: number): string {
-  const at = task.start.map((each) => Number(each.toPrecision(15))).join(",");
+  const start = task.asked?.start ?? [];
+  const at = start.map((each) => Number(each.toPrecision(15))).join(",");
   const words = [`lane-${number}.ngc`, "--machine", `lane-${number}.toml`];
-  if (task.start.some((each) => each !== 0)) words.push("--start", at);
+  if (start.some((each) => each !== 0)) words.push("--start", at);
   const { loops, rule } = task;
   if (loops === undefined) {
     if (rule !== "arc-length") words.push("--interpolator", rule);
@@ -48,13 +49,29 @@ export function commandOf(task: WordTask, number: number): string {
   return ["leadscrew simulate", ...words, "--json"].join(" ") + note;
 }
 
+/** A lane as the command makes it, by its number from 1; no task: it needs no files. */
+export interface LaneCommand {
+  readonly lane: number;
+  readonly command: string;
+  readonly task: WordTask | undefined;
+}
+
+/** Of a circle by integration, which no verb makes words of. */
+export function circleCommandOf(rule: string): string {
+  return `leadscrew study orders --json  # what ${rule} makes of a circle: its words are the page's alone`;
+}
+
 /** Writes the program and the machine file of each lane, and runs the commands. */
-export function scriptOf(tasks: readonly (readonly [number, WordTask])[]): string {
+export function scriptOf(lanes: readonly LaneCommand[]): string {
   const lines = ["#!/bin/sh", "set -u"];
-  for (const [lane, task] of tasks) {
+  for (const { lane, command, task } of lanes) {
+    if (task === undefined) {
+      lines.push(command);
+      continue;
+    }
     lines.push(`cat >lane-${lane}.ngc <<'END'`, task.text.trimEnd(), "END");
     lines.push(`cat >lane-${lane}.toml <<'END'`, machineOf(task).trimEnd(), "END");
-    lines.push(commandOf(task, lane));
+    lines.push(command);
   }
   return `${lines.join("\n")}\n`;
 }

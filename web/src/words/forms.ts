@@ -9,6 +9,7 @@ import { html } from "../ui/dom";
 import { curveKinds, type CurveKind } from "./curves";
 import {
   comparisons,
+  hasLoops,
   laneNumbers,
   laneOf,
   loopKinds,
@@ -40,6 +41,18 @@ export const methodTitles: Readonly<Record<Method, string>> = {
   uniform: "Equal steps of the parameter",
   stops: "Lines, a stop at each",
   blend: "Lines, blended (G64)",
+  euler: "Circle by Euler",
+  heun: "Circle by improved Euler (Heun)",
+  tustin: "Circle by Tustin",
+  "x-first": "Circle, x first (Koren's)",
+  "runge-kutta": "Circle by Runge-Kutta",
+  "state-transition": "Circle by state transition",
+  dda: "Pulses: DDA in hardware",
+  koren: "Pulses: Koren's program",
+  "point-comparison": "Pulses: point by point",
+  "min-error": "Pulses: minimum error",
+  "improved-min-error": "Pulses: improved minimum error",
+  bresenham: "Pulses: Bresenham",
 };
 export const loopTitles: Readonly<Record<LoopKind, string>> = {
   none: "Words alone",
@@ -71,6 +84,7 @@ const laneLabels: Readonly<Record<LaneNumber, string>> = {
   d: "D, units/mm",
   kv: "Kv, 1/s",
   forward: "Fed forward, 0 to 1",
+  blu: "A pulse (BLU), mm",
 };
 
 interface Keyed<Key> {
@@ -213,7 +227,7 @@ export class WordForms {
       const errors = lanes[number];
       const uses = usesOf(lane, state);
       this.fields.show(`method-${number + 1}`, lane.method, true, errors?.get("method"));
-      this.fields.show(`loops-${number + 1}`, lane.loops, true, errors?.get("loops"));
+      this.fields.show(`loops-${number + 1}`, lane.loops, hasLoops(lane), errors?.get("loops"));
       for (const { key, slid } of numbers) {
         slid.show(lane[key], uses[key], state.period, errors?.get(key));
       }

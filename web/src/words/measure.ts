@@ -1,7 +1,7 @@
 // What words, or the slides that follow them, make of a curve: places, errors, speeds, and figures of all until a word.
 
 import type { Words } from "../engine/motion_types";
-import { nearest, type Curve } from "./curves";
+import { lengthOf, nearest, type Curve } from "./curves";
 
 /** A lane as it is drawn, an entry a word; mm and s. */
 export interface Track {
@@ -41,17 +41,6 @@ function matched(curve: Curve, x: Float64Array, y: Float64Array, speedMost: numb
   return found;
 }
 
-function lengthOf(curve: Curve): number {
-  let length = 0;
-  let [x, y] = curve.at(0);
-  for (let i = 1; i <= 400; ++i) {
-    const [nextX, nextY] = curve.at(i / 400);
-    length += Math.hypot(nextX - x, nextY - y);
-    [x, y] = [nextX, nextY];
-  }
-  return Math.max(length, 1e-9);
-}
-
 /** On which side of the curve's tangent. */
 function sideOf(curve: Curve, u: number, x: number, y: number): number {
   const [beforeX, beforeY] = curve.at(Math.max(0, u - 1e-6));
@@ -71,9 +60,10 @@ export function trackOf(curve: Curve, words: Words, feed: number): Track {
     x[i] = from[i * width] ?? 0;
     y[i] = from[i * width + 1] ?? 0;
   }
-  const { period } = words;
+  const { period, window = 1 } = words;
   const speed = new Float64Array(count);
-  for (let i = 1; i < count; ++i) speed[i] = Math.hypot(difference(x, i, 1), difference(y, i, 1)) / period;
+  for (let i = window; i < count; ++i)
+    speed[i] = Math.hypot(difference(x, i, 1, window), difference(y, i, 1, window)) / (window * period);
   const found = matched(
     curve,
     x,
@@ -89,18 +79,18 @@ export function trackOf(curve: Curve, words: Words, feed: number): Track {
     error[i] = Math.hypot(px - cx, py - cy) * (sideOf(curve, u, px, py) || 1);
   }
   const plain = { period, count, x, y, trueX, trueY, error, speed };
-  return { ...plain, until: figuresUntil(curve, plain, found, feed, words.steady) };
+  return { ...plain, until: figuresUntil(curve, plain, found, feed, words) };
 }
 
-/** Backward, of an order of 1 to 3. */
-function difference(values: Float64Array, i: number, order: number): number {
+/** Backward, of an order of 1 to 3, over so many entries each. */
+function difference(values: Float64Array, i: number, order: number, window: number): number {
   const weights =
     [
       [1, -1],
       [1, -2, 1],
       [1, -3, 3, -1],
     ][order - 1] ?? [];
-  return weights.reduce((sum, weight, k) => sum + weight * (values[i - k] ?? 0), 0);
+  return weights.reduce((sum, weight, k) => sum + weight * (values[i - k * window] ?? 0), 0);
 }
 
 function figuresUntil(
@@ -108,7 +98,7 @@ function figuresUntil(
   track: Omit<Track, "until">,
   found: Float64Array,
   feed: number,
-  steady: Uint8Array,
+  { steady, window = 1 }: Words,
 ): Record<Figure, Float64Array> {
   const { count, x, y, error, speed, period } = track;
   const until = Object.fromEntries(figureNames.map((name) => [name, new Float64Array(count)])) as Record<
@@ -127,7 +117,10 @@ function figuresUntil(
     raise("maxSpeed", i, speed[i] ?? 0);
     raise("feedError", i, steady[i] === 1 && steady[i - 1] === 1 ? Math.abs((speed[i] ?? 0) / feed - 1) : 0);
     const of = (order: number): number =>
-      i < order ? 0 : Math.max(Math.abs(difference(x, i, order)), Math.abs(difference(y, i, order))) / period ** order;
+      i < order * window
+        ? 0
+        : Math.max(Math.abs(difference(x, i, order, window)), Math.abs(difference(y, i, order, window))) /
+          (window * period) ** order;
     raise("acceleration", i, of(2));
     raise("jerk", i, of(3));
   }

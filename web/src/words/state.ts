@@ -1,20 +1,35 @@
-// What words are compared: one curve, feed and limits, up to four lanes of a method and the loops that follow it; and the
-// link that brings it back.
+// What words are compared: one curve, feed and limits, up to four lanes of a method and the loops that follow it.
 
-import type { Limits, LoopOptions, StepRule, WordTask } from "../engine/motion_types";
-import { stepRules } from "../engine/motion_types";
-import { layouts, type Camera, type Layout } from "../compare/scene";
-import { cameraOf, cameraText, mostLanes } from "../compare/state";
+import type { Asked, CircleRule, CircleTask, Limits, LoopOptions, StepRule, WordTask } from "../engine/motion_types";
+import { circleRules, stepRules } from "../engine/motion_types";
+import type { Camera, Layout } from "../compare/scene";
 import { quantity, type FieldErrors } from "../lesson/settings";
-import { curveKinds, curveOf, programOf, type Course, type CurveKind } from "./curves";
+import { curveOf, programOf, type Course, type CurveKind } from "./curves";
 
-export const methods = [...stepRules, "stops", "blend"] as const;
+/** Of reference pulses, as the engine names them. */
+export const pulseMethods = [
+  "dda",
+  "koren",
+  "point-comparison",
+  "min-error",
+  "improved-min-error",
+  "bresenham",
+] as const;
+export type PulseMethod = (typeof pulseMethods)[number];
+export const methods = [...stepRules, "stops", "blend", ...circleRules, ...pulseMethods] as const;
 export type Method = (typeof methods)[number];
+
+export function isCircleRule(method: Method): method is CircleRule {
+  return (circleRules as readonly string[]).includes(method);
+}
+export function isPulseMethod(method: Method): method is PulseMethod {
+  return (pulseMethods as readonly string[]).includes(method);
+}
 export const loopKinds = ["none", "pid", "cascade", "pulses"] as const;
 export type LoopKind = (typeof loopKinds)[number];
 
 /** Numbers of a lane, as they were typed; a period that is empty is the curve's. */
-export const laneNumbers = ["period", "lines", "p", "i", "d", "kv", "forward"] as const;
+export const laneNumbers = ["period", "lines", "p", "i", "d", "kv", "forward", "blu"] as const;
 export type LaneNumber = (typeof laneNumbers)[number];
 export interface Lane extends Record<LaneNumber, string> {
   method: Method;
@@ -39,7 +54,8 @@ export interface State extends Record<CurveNumber, string> {
 export const magnifications = [1, 10, 100, 1000, 10_000] as const;
 
 export function laneOf(method: Method, more: Partial<Lane> = {}): Lane {
-  return { method, loops: "none", period: "", lines: "92", p: "2", i: "2", d: "15", kv: "40", forward: "0", ...more };
+  const gains = { p: "2", i: "2", d: "15", kv: "40", forward: "0" };
+  return { method, loops: "none", period: "", lines: "92", ...gains, blu: "0.1", ...more };
 }
 
 const plain = {
@@ -65,6 +81,7 @@ export interface Comparison {
 }
 
 const paper = "Real-time interpolators";
+const koren = "Interpolator for a computer numerical control system";
 
 export const comparisons: readonly Comparison[] = [
   {
@@ -133,6 +150,35 @@ export const comparisons: readonly Comparison[] = [
     published: [],
   },
   {
+    id: "pulses",
+    title: "Pulses beside words, a circle of R = 10",
+    state: {
+      ...plain,
+      curve: "circle",
+      feed: "20",
+      lanes: [laneOf("arc-length"), laneOf("taylor1"), laneOf("dda"), laneOf("koren", { blu: "0.05" })],
+      magnified: 1,
+    },
+    published: [],
+  },
+  {
+    id: "integration",
+    title: "A circle by integration, a step a period",
+    state: {
+      ...plain,
+      curve: "circle",
+      feed: "50",
+      lanes: [laneOf("euler"), laneOf("heun"), laneOf("tustin"), laneOf("x-first")],
+      magnified: 10,
+    },
+    published: [
+      `the radius errs by T² a step (${koren}, below eq. 27)`,
+      `the radius errs by T⁴ a step (${koren}, below eq. 24)`,
+      "",
+      `the radius errs by T⁴ (${koren}, below eq. 27): an ellipse, T/4 off`,
+    ],
+  },
+  {
     id: "periods",
     title: "Four servo periods on an ellipse",
     state: {
@@ -198,6 +244,7 @@ const ranges: Readonly<Record<CurveNumber | LaneNumber, readonly [number, number
   d: [0, 200, "units/mm"],
   kv: [0.1, 1000, "1/s"],
   forward: [0, 1, "of velocity and acceleration"],
+  blu: [0.001, 1, "mm"],
 };
 export function rangeOf(key: CurveNumber | LaneNumber): readonly [number, number, string] {
   return ranges[key];
@@ -216,17 +263,24 @@ function isCurved({ curve }: State): boolean {
   return curve !== "corner" && curve !== "line";
 }
 
+/** Words of a plan alone are followed. */
+export function hasLoops({ method }: Lane): boolean {
+  return !isPulseMethod(method) && !isCircleRule(method);
+}
+
 /** Which numbers of a lane count. */
 export function usesOf(lane: Lane, state: State): Readonly<Record<LaneNumber, boolean>> {
-  const isPid = lane.loops === "pid";
+  const loops = hasLoops(lane) ? lane.loops : "none";
+  const isPid = loops === "pid";
   return {
-    period: true,
+    period: !isPulseMethod(lane.method),
+    blu: isPulseMethod(lane.method),
     lines: (lane.method === "stops" || lane.method === "blend") && isCurved(state),
     p: isPid,
     i: isPid,
     d: isPid,
-    kv: lane.loops === "cascade" || lane.loops === "pulses",
-    forward: isPid || lane.loops === "cascade",
+    kv: loops === "cascade" || loops === "pulses",
+    forward: isPid || loops === "cascade",
   };
 }
 
@@ -261,6 +315,11 @@ function courseOf(lane: Lane, state: State, errors: FieldErrors): Course {
     : { kind: "blend", lines, tolerance: number("tolerance", state.tolerance, errors) };
 }
 
+/** s */
+export function periodOf(state: State, lane: Lane, errors: FieldErrors): number {
+  return number("period", lane.period.trim() === "" ? state.period : lane.period, errors) / 1000;
+}
+
 /** The limits of the mill with those of the comparison, X and Y alike. */
 export function limitsOf(mill: Limits, state: State, lane: Lane, errors: FieldErrors): Limits {
   const limits = structuredClone(mill);
@@ -268,7 +327,7 @@ export function limitsOf(mill: Limits, state: State, lane: Lane, errors: FieldEr
     each > 0 ? number("acceleration", state.acceleration, errors) : 0,
   );
   limits.jerk = limits.jerk.map((each) => (each > 0 ? number("jerk", state.jerk, errors) : 0));
-  limits.period = number("period", lane.period.trim() === "" ? state.period : lane.period, errors) / 1000;
+  limits.period = periodOf(state, lane, errors);
   return limits;
 }
 
@@ -281,49 +340,19 @@ export function taskOf(mill: Limits, state: State, lane: Lane, most: number, err
   const loops = loopsOf(lane, errors);
   const rule: StepRule = stepRules.find((each) => each === lane.method) ?? "arc-length";
   const text = errors.size > 0 ? "" : programOf(curve, course, feed);
-  return { text, machine: "", limits, tools: "", override: 1, rule, start: [...curve.at(0)], loops, most };
+  const asked: Asked = { mode: "programmed", start: curve.at(0) };
+  return { text, machine: "", limits, tools: "", override: 1, rule, asked, loops, most };
 }
 
-// The link.
-
-const laneOrder = ["method", "loops", ...laneNumbers] as const;
-
-export function toLink(state: State): string {
-  const link = new URLSearchParams();
-  link.set("words", "1");
-  link.set("curve", state.curve);
-  for (const key of curveNumbers) link.set(key, state[key]);
-  for (const lane of state.lanes) link.append("l", laneOrder.map((key) => lane[key]).join(","));
-  link.set("layout", state.layout);
-  link.set("times", String(state.magnified));
-  link.set("dt", state.interval);
-  link.set("k", String(state.clock));
-  if (state.camera !== undefined) link.set("at", cameraText(state.camera));
-  return `#${link.toString()}`;
-}
-
-function laneFrom(text: string): Lane {
-  const parts = text.slice(0, 160).split(",");
-  const lane = laneOf(methods.find((each) => each === parts[0]) ?? "arc-length");
-  lane.loops = loopKinds.find((each) => each === parts[1]) ?? "none";
-  laneNumbers.forEach((key, i) => (lane[key] = (parts[i + 2] ?? lane[key]).slice(0, 20)));
-  return lane;
-}
-
-/** What a link lacks, or has wrong, is as it is without one. */
-export function fromLink(hash: string): State {
-  const link = new URLSearchParams(hash.replace(/^#/, ""));
-  const state = initialState();
-  if (link.get("words") === null) return state;
-  state.curve = curveKinds.find((each) => each === link.get("curve")) ?? state.curve;
-  for (const key of curveNumbers) state[key] = (link.get(key) ?? state[key]).slice(0, 20);
-  const lanes = link.getAll("l").slice(0, mostLanes).map(laneFrom);
-  if (lanes.length > 0) state.lanes = lanes;
-  state.layout = layouts.find((each) => each === link.get("layout")) ?? state.layout;
-  state.magnified = magnifications.find((each) => String(each) === link.get("times")) ?? state.magnified;
-  state.interval = (link.get("dt") ?? state.interval).slice(0, 10);
-  const clock = Number(link.get("k") ?? 0);
-  state.clock = Number.isInteger(clock) && clock > 0 ? clock : 0;
-  state.camera = cameraOf(link.get("at"));
-  return state;
+/** The same of a circle by integration. */
+export function circleTaskOf(
+  state: State,
+  lane: Lane,
+  rule: CircleRule,
+  most: number,
+  errors: FieldErrors,
+): CircleTask {
+  if (state.curve !== "circle") errors.set("method", "integrates circles alone: choose a circle");
+  const [radius, feed] = [number("a", state.a, errors), number("feed", state.feed, errors)];
+  return { rule, radius, feed, period: periodOf(state, lane, errors), most };
 }

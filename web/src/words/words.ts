@@ -2,25 +2,30 @@
 
 import { LanePage } from "../compare/lane_page";
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
-import type { Diagnostic, Limits, WordTask } from "../engine/motion_types";
+import type { Diagnostic, Limits, Words, WordTask } from "../engine/motion_types";
+import type { Engine } from "../engine/types";
 import { download } from "../lesson/files";
 import { quantity, type FieldErrors } from "../lesson/settings";
 import type { Mode } from "../ui/shell";
 import { curveOf, type Curve } from "./curves";
-import { commandOf, scriptOf } from "./files";
+import { circleCommandOf, commandOf, scriptOf, type LaneCommand } from "./files";
 import { loopTitles, methodTitles, WordForms } from "./forms";
+import { fromLink, toLink } from "./link";
 import { trackOf } from "./measure";
+import { pulseCommandOf, pulseTaskOf, pulseWords } from "./pulses";
 import { TrackScene, type DrawnTrack } from "./pictures";
 import {
+  circleTaskOf,
   comparisonOf,
   curveIn,
-  fromLink,
+  isCircleRule,
+  isPulseMethod,
   laneNumbers,
   number,
   stateOf,
   taskOf,
-  toLink,
   type Lane,
+  type PulseMethod,
   type State,
 } from "./state";
 import { wordTable } from "./table";
@@ -29,9 +34,17 @@ const mostWords = 20_000;
 const typingPause = 120; // ms
 const nearest = 1e-3; // mm across
 
-interface Made extends DrawnTrack {
-  readonly task: WordTask;
+interface Made extends DrawnTrack, LaneCommand {
   readonly cost: number;
+  readonly pulses: Float64Array | undefined;
+}
+
+/** What the engine makes of a lane. */
+interface Worked extends Pick<Made, "command" | "task"> {
+  readonly words: Words;
+  readonly pulses?: Float64Array;
+  /** Beside its period. */
+  readonly detail?: string;
 }
 
 const strips = [
@@ -51,14 +64,16 @@ export class WordCompare implements Mode {
   private laneErrors: FieldErrors[] = [];
   private typing = 0;
 
-  static async open(planner: PlannerClient): Promise<WordCompare> {
+  static async open(planner: PlannerClient, engine: Engine): Promise<WordCompare> {
     const mill = await planner.limits("");
     if ("code" in mill) throw new Error(mill.message);
-    return new WordCompare(planner, mill);
+    return new WordCompare(planner, engine, mill);
   }
 
   private constructor(
     private readonly planner: PlannerClient,
+    /** Of reference pulses. */
+    private readonly engine: Engine,
     private readonly mill: Limits,
   ) {
     this.forms = new WordForms({
@@ -96,7 +111,7 @@ export class WordCompare implements Mode {
         table: this.table,
         files: [
           ["save-words", "Words, CSV", () => download("leadscrew-tracks.csv", this.tracks(), "text/csv")],
-          ["save-script", "Script", () => download("leadscrew-words.sh", scriptOf(this.tasks), "text/x-sh")],
+          ["save-script", "Script", () => download("leadscrew-words.sh", scriptOf(this.made), "text/x-sh")],
         ],
         exampleInterval: "0.02",
       },
@@ -116,10 +131,6 @@ export class WordCompare implements Mode {
 
   redraw(): void {
     this.page.redraw();
-  }
-
-  private get tasks(): readonly (readonly [number, WordTask])[] {
-    return this.made.map(({ task, number: lane }) => [lane + 1, task]);
   }
 
   /** Every entry of every lane until the clock. */
@@ -178,25 +189,56 @@ export class WordCompare implements Mode {
   }
 
   private async make(lane: number, of: Lane, curve: Curve, errors: FieldErrors): Promise<Made | undefined> {
-    const task = taskOf(this.mill, this.state, of, mostWords, errors);
-    if (errors.size > 0) return undefined;
-    const words = await unlessCancelled(this.planner.words(task));
-    if (words === undefined) return undefined;
-    if ("code" in words) {
-      errors.set(fieldOf(words), words.hint === "" ? words.message : `${words.message}: ${words.hint}`);
-      return undefined;
-    }
-    const feed = quantity(this.state.feed);
-    const period = Number((words.period * 1000).toPrecision(6));
-    const gains = task.loops === undefined ? "" : `, ${loopTitles[of.loops]} ${gainsText(of)}`;
+    const worked = await this.work(lane, of, curve, errors);
+    if (worked === undefined) return undefined;
+    const { words, task, command, pulses, detail } = worked;
+    const period = Number((words.period * 1000).toPrecision(4));
     return {
       title: methodTitles[of.method],
-      detail: `T ${period} ms${gains}`,
+      detail: detail ?? `T ${period} ms${loopsText(of, task)}`,
       number: lane,
-      track: trackOf(curve, words, feed),
+      lane: lane + 1,
+      track: trackOf(curve, words, quantity(this.state.feed)),
       task,
+      command,
       cost: words.cost,
+      pulses,
     };
+  }
+
+  /** Undefined where errors say why not, or something else is asked for meanwhile. */
+  private async work(lane: number, of: Lane, curve: Curve, errors: FieldErrors): Promise<Worked | undefined> {
+    if (isPulseMethod(of.method)) return await this.workPulses(of, of.method, curve, errors);
+    if (isCircleRule(of.method)) {
+      const task = circleTaskOf(this.state, of, of.method, mostWords, errors);
+      const words = errors.size > 0 ? undefined : this.sound(await unlessCancelled(this.planner.circle(task)), errors);
+      return words === undefined ? undefined : { words, task: undefined, command: circleCommandOf(of.method) };
+    }
+    const task = taskOf(this.mill, this.state, of, mostWords, errors);
+    const words = errors.size > 0 ? undefined : this.sound(await unlessCancelled(this.planner.words(task)), errors);
+    return words === undefined ? undefined : { words, task, command: commandOf(task, lane + 1) };
+  }
+
+  private async workPulses(
+    of: Lane,
+    method: PulseMethod,
+    curve: Curve,
+    errors: FieldErrors,
+  ): Promise<Worked | undefined> {
+    const over = number("period", this.state.period, errors) / 1000;
+    const task = pulseTaskOf(this.state, of, method, errors);
+    if (task === undefined) return undefined;
+    const words = await pulseWords(this.engine, task, this.state, of, curve, over, mostWords, errors);
+    if (words === undefined) return undefined;
+    const detail = `${Number(of.blu)} mm a pulse, ${digits(1e-3 / words.period)} kHz`;
+    return { words, task: undefined, command: pulseCommandOf(task), pulses: words.pulses, detail };
+  }
+
+  /** What is wrong goes to its field. */
+  private sound(words: Words | Diagnostic | undefined, errors: FieldErrors): Words | undefined {
+    if (words === undefined || !("code" in words)) return words;
+    errors.set(fieldOf(words), words.hint === "" ? words.message : `${words.message}: ${words.hint}`);
+    return undefined;
   }
 
   private scene(): TrackScene {
@@ -213,15 +255,15 @@ export class WordCompare implements Mode {
     const { state, made, page } = this;
     this.showForms();
     const scene = this.scene();
-    const commands = this.tasks.map(([lane, task]) => commandOf(task, lane));
+    const commands = made.map(({ command }) => command);
     page.show({ scene, count: made.length, text: this.text(), commands });
     const published = comparisonOf(state)?.published ?? [];
     this.table.update(
-      made.map(({ number: lane, title, detail, track, cost }) => ({
+      made.map(({ number: lane, title, detail, track, cost, pulses }) => ({
         number: lane,
         title,
         detail,
-        told: { track, cost, entry: scene.entry(track, page.player.clock) },
+        told: { track, cost, pulses, entry: scene.entry(track, page.player.clock) },
         published: published[lane] ?? "",
       })),
     );
@@ -236,9 +278,14 @@ export class WordCompare implements Mode {
   }
 }
 
-function gainsText(lane: Lane): string {
-  if (lane.loops === "pid") return `(${lane.p}, ${lane.i}, ${lane.d})`;
-  return `Kv ${lane.kv}/s`;
+function loopsText(lane: Lane, task: WordTask | undefined): string {
+  if (task?.loops === undefined) return "";
+  const gains = lane.loops === "pid" ? `(${lane.p}, ${lane.i}, ${lane.d})` : `Kv ${lane.kv}/s`;
+  return `, ${loopTitles[lane.loops]} ${gains}`;
+}
+
+function digits(value: number): string {
+  return String(Number(value.toPrecision(4)));
 }
 
 /** The field that a problem of the engine is about. */
