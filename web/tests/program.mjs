@@ -40,6 +40,19 @@ export async function write(page, text, name = "own.ngc") {
   return await planned(page);
 }
 
+/** The window is so wide, and the path drawn for it. */
+export async function resized(page, width) {
+  const pictures = Number(await page.getAttribute("#space", "data-pictures"));
+  const isOther = page.viewportSize().width !== width;
+  await page.setViewportSize({ width, height: 900 });
+  if (isOther)
+    await page.waitForFunction(
+      (before) => Number(document.querySelector("#space").dataset.pictures) > before,
+      pictures,
+    );
+  await page.waitForTimeout(300);
+}
+
 export async function downloaded(page, id) {
   const [download] = await Promise.all([page.waitForEvent("download"), page.click(`#${id}`)]);
   return readFileSync(await download.path(), "utf8");

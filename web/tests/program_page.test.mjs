@@ -17,6 +17,7 @@ import {
   openProgram,
   planned,
   programAddress,
+  resized,
   rowsOf,
   write,
 } from "./program.mjs";
@@ -389,8 +390,7 @@ for (const theme of ["light", "dark"]) {
     await choose(page, "01-plate");
     await setTime(page, 4.2);
     for (const width of [1280, 1024, 390]) {
-      await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(300);
+      await resized(page, width);
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
       );

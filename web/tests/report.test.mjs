@@ -9,7 +9,17 @@ import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { seriousFindings } from "./axe.mjs";
 import { built, native, openBrowser, root } from "./browser.mjs";
-import { assertSameWords, downloaded, exampleText, figure, openProgram, planned, rowsOf, write } from "./program.mjs";
+import {
+  assertSameWords,
+  downloaded,
+  exampleText,
+  figure,
+  openProgram,
+  planned,
+  resized,
+  rowsOf,
+  write,
+} from "./program.mjs";
 
 let browser, folder;
 before(async () => {
@@ -142,8 +152,7 @@ test("five axes, a surface and its tool; pictures", async () => {
     const pictures = join(built, "screenshots");
     mkdirSync(pictures, { recursive: true });
     for (const width of [1280, 390]) {
-      await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(300);
+      await resized(page, width);
       await page.screenshot({
         path: join(pictures, `report-${colorScheme}-${width}.png`),
         fullPage: width === 1280,
