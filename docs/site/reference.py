@@ -158,7 +158,8 @@ def write(xml, include, folder):
     headers, files = read(xml)
     parts = {path.name: [f"leadscrew/{each}" for each in RELATIVE.findall(path.read_text(encoding="utf-8"))] + [f"leadscrew/{path.name}"]
              for path in sorted(include.glob("*.hpp"))}
-    parts["leadscrew.h"] = ["leadscrew/capi/leadscrew.h"]
+    calls = include.parents[1] / "src/leadscrew/capi"  # leadscrew.h includes the others
+    parts["leadscrew.h"] = [f"leadscrew/capi/{path.name}" for path in sorted(calls.glob("leadscrew_*.h"))] + ["leadscrew/capi/leadscrew.h"]
     pages = {}
     for name, of_page in parts.items():
         for file in of_page:
