@@ -4,6 +4,7 @@
 #include <cmath>
 #include <leadscrew/moves.hpp>
 #include <leadscrew/realtime.hpp>
+#include <numbers>
 #include <utility>
 
 namespace leadscrew::linuxcnc {
@@ -11,10 +12,25 @@ namespace leadscrew::linuxcnc {
 namespace {
 
 constexpr std::size_t chunks = 256;           // some seconds at least, after chunks that were late
-constexpr double far_ahead = 0.2;             // s, at first and after chunks that were late
+constexpr double far_ahead = 2.5;             // times the options' `ahead`: at first and after chunks that were late
+constexpr double enough_to_begin = 2;         // s, at the moves' speeds
 constexpr double short_slice = 0.01;          // s, where the feeder asks for no other
 constexpr double least_change = 0.005;        // of the factor: adaptive feed trembles
 constexpr double travel = 1e5;                // mm or degrees
+
+/// mm, or degrees of rotary axes alone: of a line, and not more than that of an arc.
+double least_length(const gcode::Move& move) {
+  std::array<double, 3> squares{};
+  for (std::size_t i = 0; i < move.end.size(); ++i) {
+    const double step = move.end[i] - move.start[i];
+    squares[i / 3] += step * step;
+  }
+  const double chord = std::sqrt(squares[0] > 0 ? squares[0] : squares[2] > 0 ? squares[2] : squares[1]);
+  if (move.kind != gcode::Move::Kind::arc) return chord;
+  const double radius = std::hypot(move.start[base::index(first_axis(move.plane))] - move.center_first,
+                                   move.start[base::index(second_axis(move.plane))] - move.center_second);
+  return std::max(chord, 2 * std::numbers::pi * radius * (std::abs(move.turns) - 1));
+}
 
 gcode::PathMode path_mode(leadscrew_tp_join join) {
   switch (join) {
@@ -80,33 +96,50 @@ base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position
 
 Engine::Engine(machine::Machine machine, const Position& position, const leadscrew_tp_options& options)
     : machine_(std::move(machine)),
+      options_(options),
       moves_(machine_, position),
-      source_([this](gcode::Move& move) { return moves_.give(move); }, machine_, position),
+      source_([this](gcode::Move& move) { return give(move); }, machine_, position),
       controller_(machine_.period, position, chunks),
-      planning_(planning(options)),
-      feeder_(planning_, controller_, std::max(far_ahead, options.ahead), options.ahead) {
+      planning_(planning()),
+      feeder_(planning_, controller_, far_ahead * options.ahead, options.ahead) {
   source_.planner().slice(short_slice);
 }
 
-realtime::Planning Engine::planning(const leadscrew_tp_options& options) {
+realtime::Planning Engine::planning() {
   return {.next = [this] { return source_.next(); },
           .refuse = [this] { source_.planner().refuse(); },
           .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
           .slice = [this](double seconds) { source_.planner().slice(seconds); },
           .drought = [this]() -> std::optional<realtime::Drought> {
             if (!source_.wants_moves()) return std::nullopt;
-            return realtime::Drought{is_open_, 1e-9 * static_cast<double>(realtime::now() - last_came_)};
+            return realtime::Drought{is_open_, quiet()};
           },
           .end_for_now = [this] { end_for_now(); },
           .come_to_rest = [this] { source_.planner().come_to_rest(); },
-          .quiet_to_begin = options.quiet};
+          .quiet_to_begin = options_.quiet,
+          .enough_to_begin = 0};
+}
+
+/// s since the last move came.
+double Engine::quiet() const {
+  return 1e-9 * static_cast<double>(realtime::now() - last_came_);
+}
+
+pipeline::Supply Engine::give(gcode::Move& move) {
+  has_begun_ = has_begun_ || !is_open_ || waiting_ >= enough_to_begin || quiet() >= options_.quiet;
+  return has_begun_ ? moves_.give(move) : pipeline::Supply::later;
 }
 
 base::Result<void> Engine::push(const leadscrew_tp_move& asked) {
   auto move = move_of(asked, moves_.end(), machine_);
   if (!move) return base::failure(move.error());
-  if (!is_open_) greatest_factor_ = 2;
+  if (!is_open_) {
+    greatest_factor_ = 2;
+    has_begun_ = false;
+    waiting_ = 0;
+  }
   greatest_factor_ = std::clamp(asked.top_speed / asked.speed, 1.0, greatest_factor_);
+  waiting_ += least_length(*move) / asked.speed;
   moves_.append(std::move(*move));
   last_came_ = realtime::now();
   is_open_ = true;

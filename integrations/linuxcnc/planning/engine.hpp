@@ -1,8 +1,9 @@
 #pragma once
 // Motion from one place where it was set down: path, planner and the controller that the servo thread asks.
 //
-// Moves may be slow to come: motion begins once 2 s of it are there or none came for a while, and comes to rest where they
-// end only when less than 30 ms of motion are left (realtime::Feeder).
+// Moves may be slow to come: motion begins once moves are there that take 2 s at their speeds, or none came for a while, and
+// comes to rest where they end only when less than 30 ms of motion are left (realtime::Feeder). Until it begins nothing is
+// planned, so that no more is settled ahead than while it lasts.
 
 #include <cstdint>
 #include <leadscrew/diagnostic.hpp>
@@ -58,9 +59,12 @@ class Engine {
   const machine::Machine& machine() const { return machine_; }
 
  private:
-  realtime::Planning planning(const leadscrew_tp_options& options);
+  realtime::Planning planning();
+  pipeline::Supply give(gcode::Move& move);
+  double quiet() const;
 
   const machine::Machine machine_;
+  const leadscrew_tp_options options_;
   host::MoveQueue moves_;
   pipeline::MotionSource source_;
   interpolator::Controller controller_;
@@ -69,6 +73,8 @@ class Engine {
   double factor_ = 1;                ///< of the feed, in force
   double greatest_factor_ = 2;       ///< that all moves allow since motion settled last
   bool is_open_ = false;
+  bool has_begun_ = false;           ///< to plan what is open
+  double waiting_ = 0;               ///< s that the moves take at their speeds which are open and were not begun
   std::int64_t last_came_ = 0;       ///< ns
 };
 

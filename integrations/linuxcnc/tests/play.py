@@ -115,7 +115,7 @@ def play(job):
     began = time.monotonic()
     if "program" in job:
         command.auto(linuxcnc.AUTO_RUN, 0)
-        command.wait_complete(60)
+        wait_until(polled(lambda: status.echo_serial_number == command.serial), "the start")
     for moment, what, value in job.get("acts", []):
         time.sleep(max(0, began + moment - time.monotonic()))
         act(what, value)

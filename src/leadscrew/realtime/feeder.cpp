@@ -8,7 +8,6 @@ using Offer = interpolator::Controller::Offer;
 
 namespace {
 
-constexpr double enough_to_begin = 2;     // s of motion, where moves may be slow to come
 constexpr double least_in_motion = 0.03;  // s of motion, in which the way to rest is planned
 
 }  // namespace
@@ -40,7 +39,7 @@ bool Feeder::is_held() const {
 
 /// s of motion that are planned before any of it begins, from rest.
 double Feeder::held_back() const {
-  return planning_.drought ? std::max(patience_, enough_to_begin) : patience_;
+  return planning_.drought ? std::max(patience_, planning_.enough_to_begin) : patience_;
 }
 
 /// False where it must go on waiting.

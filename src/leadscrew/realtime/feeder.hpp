@@ -15,9 +15,9 @@
 // shorter slices.
 //
 // Where moves come from somebody who may be slow, motion must neither be cut up for want of the next move, nor wait for
-// ever for one that does not come. It begins once 2 s of motion are planned, or nothing came for 0.1 s (Planning::quiet_to_begin). On the way it waits
-// for the next move as long as it can: only when less than 30 ms of motion are left is the end of the last move made a
-// place of rest.
+// ever for one that does not come. It begins once 2 s of motion are planned, or nothing came for 0.1 s (Planning::enough_to_begin,
+// quiet_to_begin). On the way it waits for the next move as long as it can: only when less than 30 ms of motion are left is
+// the end of the last move made a place of rest.
 
 #include <cstdint>
 #include <functional>
@@ -57,6 +57,9 @@ struct Planning {
   std::function<bool()> is_held = {};
   /// s ≥ 0 for which no move has come, at rest, until motion begins along those there are. Goes with `drought`.
   double quiet_to_begin = 0.1;
+  /// s ≥ 0 of motion that are planned before any of it begins, and handed over together, unless it is quiet before. Goes with
+  /// `drought`.
+  double enough_to_begin = 2;
 };
 
 /// Keeps the cycle supplied: plans as far ahead of it as look_ahead_time.hpp says, and hands chunks over.
