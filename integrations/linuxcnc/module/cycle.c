@@ -30,7 +30,11 @@ static double factor_of(const TP_STRUCT *tp) {
   const struct state *state = &leadscrew_state;
   if (tp->pausing || tp->aborting) return 0;
   const double most = state->config->maxFeedScale > 0 ? fmin(2, state->config->maxFeedScale) : 2;
-  return fmin(fmax(state->status->net_feed_scale, 0), fmax(most, 1));
+  double scale = state->status->net_feed_scale;
+  const struct entry *entry = entry_of(state->begun);
+  if (state->begun > 0 && entry->kind == paced_move && entry->pace > 0)
+    scale *= fabs(state->status->spindle_status[entry->spindle].spindleSpeedIn) / entry->pace;
+  return fmin(fmax(scale, 0), fmax(most, 1));
 }
 
 static void set_outputs(const syncdio_t *outputs) {
@@ -122,16 +126,39 @@ static void end_abort(TP_STRUCT *tp) {
   set_down(tp);
 }
 
+/* A cycle of what stands at the gate. True while nothing else is to be done. */
+static int stand_at_gate(TP_STRUCT *tp, uint32_t number) {
+  struct state *state = &leadscrew_state;
+  const struct entry *entry = entry_of(number);
+  tp->motionType = entry->motion_type;
+  if (state->following == following_none && !may_begin(number)) return 1;
+  if (entry->kind == thread_move || entry->kind == tap_move) {
+    begin(tp, number);
+    const int has_ended = follow(tp, entry);
+    state->status->current_vel = fabs(state->follower.v) / state->mm;
+    if (!has_ended) return 1;
+    double end[leadscrew_tp_axes];
+    position_of(&tp->currentPos, end);
+    leadscrew_tp_followed(state->planning, number, end);
+  }
+  state->passed = number;
+  return 1;
+}
+
 int tpRunCycle(TP_STRUCT *const tp, long period) {
   (void)period;
   struct state *state = &leadscrew_state;
-  struct leadscrew_tp_wishes wishes = {factor_of(tp), tp->aborting, state->passed};
+  if (tp->aborting && state->following != following_none && follow_to_rest(tp, entry_of(state->gate)))
+    state->following = following_none;
+  const int follows = state->following != following_none;
+  struct leadscrew_tp_wishes wishes = {factor_of(tp), tp->aborting && !follows, state->passed};
   struct leadscrew_tp_word word;
   state->status->tcqlen = state->added - state->begun;
   leadscrew_tp_cycle(state->planning, &wishes, &word);
   figures_update();
   if (tp->done) return TP_ERR_WAITING;
-  pose_of(word.position, &tp->currentPos);
+  const int keeps_place = follows || (tp->aborting && entry_of(state->gate)->kind >= thread_move && state->gate > state->passed);
+  if (!keeps_place) pose_of(word.position, &tp->currentPos);
   if (word.has_failed && !state->has_failed) {
     state->has_failed = 1;
     state->status->motionFlag |= EMCMOT_MOTION_ERROR_BIT;
@@ -144,11 +171,7 @@ int tpRunCycle(TP_STRUCT *const tp, long period) {
   const uint32_t number = word.number > word.finished ? word.number : word.finished;
   begin(tp, number);
   report_motion(tp, &word);
-  if (word.gate > state->passed && !tp->aborting) {
-    tp->motionType = entry_of(word.gate)->motion_type;
-    if (may_begin(word.gate)) state->passed = word.gate;
-    return TP_ERR_WAITING;
-  }
+  if (word.gate > state->passed && !tp->aborting && stand_at_gate(tp, word.gate)) return TP_ERR_WAITING;
   if (word.finished == state->added && !tp->aborting && lock_indexer()) report_rest(tp);
   return TP_ERR_OK;
 }

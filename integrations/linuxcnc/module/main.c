@@ -78,6 +78,7 @@ int rtapi_app_main(void) {
   struct leadscrew_tp_options options;
   leadscrew_state.mm = inch ? 25.4 : 1;
   if (read_options(&options, leadscrew_state.mm) != 0) return -1;
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) leadscrew_state.jerk[axis] = options.jerk[axis];
   component = hal_init("leadscrew_tp");
   if (component < 0) return component;
   if (figures_create(component) != 0 || !(leadscrew_state.planning = leadscrew_tp_create(&options, report))) {

@@ -58,7 +58,7 @@ void set_down(TP_STRUCT *tp) {
   state->gate_cycles = 0;
   state->rests_next = 0;
   state->has_failed = 0;
-  state->last = tp->currentPos;
+  state->following = following_none;
   leadscrew_tp_set_down(state->planning, position, &state->limits, llround(tp->cycleTime * 1e9));
   tp->goalPos = tp->currentPos;
   report_rest(tp);
@@ -130,6 +130,25 @@ static double speed_limit(const TP_STRUCT *tp, const EmcPose *end) {
   return same(&linear, &tp->goalPos) || tp->vLimit <= 0 ? HUGE_VAL : tp->vLimit * leadscrew_state.mm;
 }
 
+/* In step with a spindle, as tpSetSpindleSync has said. */
+static void synchronize(const TP_STRUCT *tp, struct entry *entry) {
+  const struct state *state = &leadscrew_state;
+  const spindle_status_t *spindle = &state->status->spindle_status[tp->spindle.spindle_num];
+  entry->spindle = tp->spindle.spindle_num;
+  entry->lead = fabs(tp->uu_per_rev);
+  entry->start = tp->goalPos;
+  if (tp->synchronized == TC_SYNC_VELOCITY) {
+    entry->kind = paced_move;
+    entry->pace = fabs(spindle->speed) / 60;
+    if (entry->pace > 0) entry->speed = entry->pace * entry->lead;
+  } else if (tp->synchronized == TC_SYNC_POSITION) {
+    const struct entry *before = entry_of(state->added);
+    entry->kind = thread_move;
+    entry->joins = !tp->done && before->kind == thread_move && before->lead == entry->lead;
+    entry->waits_for_speed = 1;
+  }
+}
+
 static enum leadscrew_tp_join join_of(int condition) {
   if (condition == TC_TERM_COND_STOP) return leadscrew_tp_stop;
   return condition == TC_TERM_COND_EXACT ? leadscrew_tp_exact : leadscrew_tp_blend;
@@ -145,7 +164,8 @@ static void fill(const TP_STRUCT *tp, struct leadscrew_tp_move *move, const stru
   move->top_speed = isinf(limit) ? 2 * move->speed : limit;
   move->join = join_of(tp->termCond);
   move->tolerance = tp->tolerance * leadscrew_state.mm;
-  move->group = entry->motion_type == EMC_MOTION_TYPE_TRAVERSE;
+  move->group = entry->kind == paced_move ? 2 : entry->motion_type == EMC_MOTION_TYPE_TRAVERSE;
+  move->is_followed = entry->kind == thread_move || entry->kind == tap_move;
   move->waits = entry->waits_for_speed || entry->indexer >= 0 || leadscrew_state.rests_next;
 }
 
@@ -158,17 +178,20 @@ static int add(TP_STRUCT *tp, struct leadscrew_tp_move *move, struct entry *entr
     set_down(tp);
   }
   if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
+  if (entry->kind == free_move) synchronize(tp, entry);
+  if (move->is_arc && entry->kind == thread_move) return TP_ERR_FAIL;
   fill(tp, move, entry, ini_maxvel);
   move->number = state->added + 1;
   entry->id = tp->nextId;
   entry->outputs = tp->syncdio;
   *entry_of(move->number) = *entry;
+  if (entry->kind == tap_move) position_of(&entry->start, move->end);
   if (leadscrew_tp_push(state->planning, move) != 0) return TP_ERR_FAIL;
   tpClearDIOs(tp);
   state->added = move->number;
   state->rests_next = entry->indexer >= 0;
   ++tp->nextId;
-  tp->goalPos = entry->end;
+  if (entry->kind != tap_move) tp->goalPos = entry->end;
   tp->done = 0;
   tp->depth = (int)(state->added - state->begun);
   return TP_ERR_OK;
@@ -177,7 +200,7 @@ static int add(TP_STRUCT *tp, struct leadscrew_tp_move *move, struct entry *entr
 int tpAddLine(TP_STRUCT *const tp, EmcPose end, int canon_motion_type, double vel, double ini_maxvel, double acc,
               unsigned char enables, char atspeed, int indexer, struct state_tag_t tag) {
   (void)acc; /* along the line; that of the axes holds */
-  if (!tp || !is_finite(&end) || tp->synchronized != TC_SYNC_NONE) return TP_ERR_FAIL;
+  if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
   if (distance(&tp->goalPos, &end) < TP_POS_EPSILON) return TP_ERR_ZERO_LENGTH;
   struct leadscrew_tp_move move = {0};
   struct entry entry = {.motion_type = canon_motion_type,
@@ -193,7 +216,7 @@ int tpAddLine(TP_STRUCT *const tp, EmcPose end, int canon_motion_type, double ve
 int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn, int canon_motion_type,
                 double vel, double ini_maxvel, double acc, unsigned char enables, char atspeed, struct state_tag_t tag) {
   (void)acc;
-  if (!tp || !is_finite(&end) || tp->synchronized != TC_SYNC_NONE) return TP_ERR_FAIL;
+  if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
   const double along[] = {normal.z, normal.y, normal.x};
   const double length = sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
   int plane = 0;
@@ -218,8 +241,24 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
   return add(tp, &move, &entry, ini_maxvel);
 }
 
+/* It ends where it begins. */
 int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel, double acc, unsigned char enables,
                   double scale, struct state_tag_t tag) {
-  (void)tp, (void)end, (void)vel, (void)ini_maxvel, (void)acc, (void)enables, (void)scale, (void)tag;
-  return TP_ERR_FAIL;
+  (void)acc;
+  if (!tp || !is_finite(&end) || tp->synchronized == TC_SYNC_NONE || !(scale > 0)) return TP_ERR_FAIL;
+  if (distance(&tp->goalPos, &end) < TP_POS_EPSILON) return TP_ERR_ZERO_LENGTH;
+  const EmcPose start = tp->goalPos;
+  struct leadscrew_tp_move move = {0};
+  struct entry entry = {.speed = vel,
+                        .enables = enables,
+                        .waits_for_speed = 1,
+                        .indexer = -1,
+                        .end = end,
+                        .tag = tag,
+                        .kind = tap_move,
+                        .spindle = tp->spindle.spindle_num,
+                        .lead = fabs(tp->uu_per_rev),
+                        .scale = scale,
+                        .start = start};
+  return add(tp, &move, &entry, ini_maxvel);
 }

@@ -4,6 +4,7 @@
  * asked of Leadscrew. All of it is the servo thread's. */
 #pragma once
 
+#include "follower.h"
 #include "motion.h"
 #include "planning.h"
 #include "tp.h"
@@ -19,6 +20,25 @@ struct entry {
   EmcPose end;
   struct state_tag_t tag;
   syncdio_t outputs; /* that are set where it begins */
+
+  enum { free_move, paced_move, thread_move, tap_move } kind; /* in step with a spindle: by its speed; by its place */
+  int spindle;
+  double lead;    /* units per revolution, of a move in step */
+  double pace;    /* revolutions per second for which `speed` holds, of a paced move */
+  double scale;   /* of the spindle's speed on a tap's way back */
+  int joins;      /* the move before is a thread too: no index is waited for */
+  EmcPose start;  /* of a thread or tap */
+};
+
+/* What becomes of the thread or tap at the gate. */
+enum following {
+  following_none,
+  following_index,  /* waits for the spindle's index */
+  following_in,     /* goes with the spindle */
+  following_back,   /* of a tap: with the spindle, which has been told to turn back */
+  following_turn,   /* of a tap: and to turn on */
+  following_rest,   /* of a tap: leaves the spindle */
+  following_return, /* of a tap: to where it began */
 };
 
 enum { entry_count = 2 * leadscrew_tp_moves };
@@ -44,8 +64,14 @@ struct state {
   int indexer;                       /* joint that is unlocked now; -1: none */
   int rests_next;                    /* the next move waits at the gate */
   int has_failed;
-  EmcPose last;                              /* currentPos before this cycle */
-  struct leadscrew_tp_limits limits;         /* that motion was set down with */
+  struct leadscrew_tp_limits limits; /* that motion was set down with */
+  double jerk[leadscrew_tp_axes];    /* mm/s^3 or degrees/s^3 */
+
+  enum following following;
+  struct leadscrew_tp_follower follower; /* in mm */
+  double length;                         /* of the line that is followed, mm */
+  double revolutions;                    /* of the spindle where the line began, or would have */
+  double revolutions_before;             /* in the cycle before */
 };
 
 extern struct state leadscrew_state;
@@ -59,6 +85,10 @@ void position_of(const EmcPose *pose, double position[leadscrew_tp_axes]);
 void pose_of(const double position[leadscrew_tp_axes], EmcPose *pose);
 /* Forgets all moves; motion stands at currentPos. */
 void set_down(TP_STRUCT *tp);
+/* A cycle of the thread or tap at the gate. True once it has ended. */
+int follow(TP_STRUCT *tp, const struct entry *entry);
+/* The same, on the way to rest. */
+int follow_to_rest(TP_STRUCT *tp, const struct entry *entry);
 /* Have the limits of the axes changed since? */
 int limits_changed(void);
 /* Everything that lies behind the planner's state, as tpRunCycle leaves it where nothing moves. */

@@ -12,7 +12,7 @@ namespace leadscrew::linuxcnc {
 namespace {
 
 constexpr std::size_t chunks = 256;           // some seconds at least, after chunks that were late
-constexpr double far_ahead = 2.5;             // times the options' `ahead`: at first and after chunks that were late
+constexpr double far_ahead = 5;               // times the options' `ahead`: at first and after chunks that were late
 constexpr double enough_to_begin = 2;         // s, at the moves' speeds
 constexpr double short_slice = 0.01;          // s, where the feeder asks for no other
 constexpr double least_change = 0.005;        // of the factor: adaptive feed trembles
@@ -117,7 +117,7 @@ realtime::Planning Engine::planning() {
           .end_for_now = [this] { end_for_now(); },
           .come_to_rest = [this] { source_.planner().come_to_rest(); },
           .quiet_to_begin = options_.quiet,
-          .enough_to_begin = 0};
+          .enough_to_begin = far_ahead * options_.ahead};
 }
 
 /// s since the last move came.

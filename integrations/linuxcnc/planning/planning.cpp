@@ -76,6 +76,13 @@ int leadscrew_tp_push(leadscrew_tp* tp, const leadscrew_tp_move* move) {
   return tp->link.requests.push(request) ? 0 : -1;
 }
 
+void leadscrew_tp_followed(leadscrew_tp* tp, std::uint32_t number, const double position[leadscrew_tp_axes]) {
+  tp->controller = nullptr;
+  tp->followed = tp->number = number;
+  tp->speed = 0;
+  std::copy_n(position, leadscrew_tp_axes, tp->position.begin());
+}
+
 namespace {
 
 /// Takes the controller that has been made for where motion was set down, or behind a move that was followed.

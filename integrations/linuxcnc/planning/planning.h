@@ -100,6 +100,9 @@ void leadscrew_tp_set_down(leadscrew_tp *tp, const double position[leadscrew_tp_
                            const struct leadscrew_tp_limits *limits, int64_t period_ns);
 /** The servo thread's: the next move. 0, or -1 where there is no room. */
 int leadscrew_tp_push(leadscrew_tp *tp, const struct leadscrew_tp_move *move);
+/** The servo thread's: it has made the move at the gate itself, which ends at rest at `position`. Then it says so by
+ * leadscrew_tp_wishes::passed. */
+void leadscrew_tp_followed(leadscrew_tp *tp, uint32_t number, const double position[leadscrew_tp_axes]);
 /** The servo thread's, once a period. */
 void leadscrew_tp_cycle(leadscrew_tp *tp, const struct leadscrew_tp_wishes *wishes, struct leadscrew_tp_word *word);
 
