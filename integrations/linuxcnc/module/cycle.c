@@ -7,38 +7,44 @@
 #include "rtapi.h"
 #include "state.h"
 
-int tpPause(TP_STRUCT *const tp) {
+int tpPause(TP_STRUCT* const tp) {
   if (!tp) return TP_ERR_FAIL;
   tp->pausing = 1;
   return TP_ERR_OK;
 }
 
-int tpResume(TP_STRUCT *const tp) {
+int tpResume(TP_STRUCT* const tp) {
   if (!tp) return TP_ERR_FAIL;
   tp->pausing = 0;
   return TP_ERR_OK;
 }
 
-int tpAbort(TP_STRUCT *const tp) {
+int tpAbort(TP_STRUCT* const tp) {
   if (!tp) return TP_ERR_FAIL;
   if (!tp->aborting && !tp->done) tp->aborting = tp->pausing = 1;
   return tpClearDIOs(tp);
 }
 
+/* The move by which the feed is scaled: the one in motion, or that which may begin from rest. */
+static const struct entry* scaled_entry(void) {
+  const struct state* state = &leadscrew_state;
+  return entry_of(state->passed > state->begun ? state->passed : state->begun);
+}
+
 /* Of the feed, as far as LinuxCNC and Leadscrew allow. */
-static double factor_of(const TP_STRUCT *tp) {
-  const struct state *state = &leadscrew_state;
+static double factor_of(const TP_STRUCT* tp) {
+  const struct state* state = &leadscrew_state;
   if (tp->pausing || tp->aborting) return 0;
   const double most = state->config->maxFeedScale > 0 ? fmin(2, state->config->maxFeedScale) : 2;
   double scale = state->status->net_feed_scale;
-  const struct entry *entry = entry_of(state->begun);
-  if (state->begun > 0 && entry->kind == paced_move && entry->pace > 0)
+  const struct entry* entry = scaled_entry();
+  if (state->passed > 0 && entry->kind == paced_move && entry->pace > 0)
     scale *= fabs(state->status->spindle_status[entry->spindle].spindleSpeedIn) / entry->pace;
   return fmin(fmax(scale, 0), fmax(most, 1));
 }
 
-static void set_outputs(const syncdio_t *outputs) {
-  const struct state *state = &leadscrew_state;
+static void set_outputs(const syncdio_t* outputs) {
+  const struct state* state = &leadscrew_state;
   if (!outputs->anychanged) return;
   for (int i = 0; i < state->config->numDIO; ++i) {
     if (outputs->dio_mask >> i & 1) state->write_digital(i, outputs->dios[i] > 0);
@@ -49,16 +55,17 @@ static void set_outputs(const syncdio_t *outputs) {
 }
 
 /* Motion has come to this move: outputs are set of all that began since. */
-static void begin(TP_STRUCT *tp, uint32_t number) {
-  struct state *state = &leadscrew_state;
+static void begin(TP_STRUCT* tp, uint32_t number) {
+  struct state* state = &leadscrew_state;
   while (state->begun < number) set_outputs(&entry_of(++state->begun)->outputs);
+  if (state->passed > 0) {
+    tp->motionType = scaled_entry()->motion_type;
+    state->status->enables_queued = scaled_entry()->enables;
+    state->status->requested_vel = scaled_entry()->speed;
+  }
   if (number == 0) return;
-  const struct entry *entry = entry_of(number);
-  tp->execId = entry->id;
-  tp->execTag = entry->tag;
-  tp->motionType = entry->motion_type;
-  state->status->enables_queued = entry->enables;
-  state->status->requested_vel = entry->speed;
+  tp->execId = entry_of(number)->id;
+  tp->execTag = entry_of(number)->tag;
 }
 
 static int spindles_are_at_speed(void) {
@@ -70,7 +77,7 @@ static int spindles_are_at_speed(void) {
 
 /* Locks the axis that was unlocked for the move before; true once it is. */
 static int lock_indexer(void) {
-  struct state *state = &leadscrew_state;
+  struct state* state = &leadscrew_state;
   if (state->indexer < 0) return 1;
   state->unlock_rotary(state->indexer, 0);
   if (state->rotary_is_unlocked(state->indexer)) return 0;
@@ -80,14 +87,12 @@ static int lock_indexer(void) {
 
 /* May the move begin? A period must have passed in which motmod scaled the feed as this move is scaled. */
 static int may_begin(uint32_t number) {
-  struct state *state = &leadscrew_state;
-  const struct entry *entry = entry_of(number);
+  struct state* state = &leadscrew_state;
+  const struct entry* entry = entry_of(number);
   state->gate_cycles = number == state->gate ? state->gate_cycles + 1 : 0;
   state->gate = number;
-  if (state->gate_cycles == 0) {
-    state->status->enables_queued = entry->enables;
-    return 0;
-  }
+  state->status->enables_queued = entry->enables;
+  if (state->gate_cycles == 0) return 0;
   if (entry->waits_for_speed && !spindles_are_at_speed()) return 0;
   if (entry->indexer < 0) return lock_indexer();
   state->indexer = entry->indexer;
@@ -95,11 +100,13 @@ static int may_begin(uint32_t number) {
   return state->rotary_is_unlocked(entry->indexer);
 }
 
-static double length_of(const PmCartesian *v) { return sqrt(v->x * v->x + v->y * v->y + v->z * v->z); }
+static double length_of(const PmCartesian* v) {
+  return sqrt(v->x * v->x + v->y * v->y + v->z * v->z);
+}
 
-static void report_motion(TP_STRUCT *tp, const struct leadscrew_tp_word *word) {
-  struct state *state = &leadscrew_state;
-  emcmot_status_t *status = state->status;
+static void report_motion(TP_STRUCT* tp, const struct leadscrew_tp_word* word) {
+  struct state* state = &leadscrew_state;
+  emcmot_status_t* status = state->status;
   const EmcPose *end = &entry_of(state->begun)->end, *at = &tp->currentPos;
   tp->depth = (int)(state->added - (state->begun > 0 ? state->begun - 1 : 0));
   tp->activeDepth = 1;
@@ -117,7 +124,7 @@ static void report_motion(TP_STRUCT *tp, const struct leadscrew_tp_word *word) {
   status->distance_to_go = length_of(&status->dtg.tran);
 }
 
-static void end_abort(TP_STRUCT *tp) {
+static void end_abort(TP_STRUCT* tp) {
   tp->aborting = tp->pausing = 0;
   tp->synchronized = TC_SYNC_NONE;
   tp->reverse_run = TC_DIR_FORWARD;
@@ -127,9 +134,9 @@ static void end_abort(TP_STRUCT *tp) {
 }
 
 /* A cycle of what stands at the gate. True while nothing else is to be done. */
-static int stand_at_gate(TP_STRUCT *tp, uint32_t number) {
-  struct state *state = &leadscrew_state;
-  const struct entry *entry = entry_of(number);
+static int stand_at_gate(TP_STRUCT* tp, uint32_t number) {
+  struct state* state = &leadscrew_state;
+  const struct entry* entry = entry_of(number);
   tp->motionType = entry->motion_type;
   if (state->following == following_none && !may_begin(number)) return 1;
   if (entry->kind == thread_move || entry->kind == tap_move) {
@@ -145,9 +152,9 @@ static int stand_at_gate(TP_STRUCT *tp, uint32_t number) {
   return 1;
 }
 
-int tpRunCycle(TP_STRUCT *const tp, long period) {
+int tpRunCycle(TP_STRUCT* const tp, long period) {
   (void)period;
-  struct state *state = &leadscrew_state;
+  struct state* state = &leadscrew_state;
   if (tp->aborting && state->following != following_none && follow_to_rest(tp, entry_of(state->gate)))
     state->following = following_none;
   const int follows = state->following != following_none;
@@ -157,7 +164,8 @@ int tpRunCycle(TP_STRUCT *const tp, long period) {
   leadscrew_tp_cycle(state->planning, &wishes, &word);
   figures_update();
   if (tp->done) return TP_ERR_WAITING;
-  const int keeps_place = follows || (tp->aborting && entry_of(state->gate)->kind >= thread_move && state->gate > state->passed);
+  const int keeps_place =
+      follows || (tp->aborting && entry_of(state->gate)->kind >= thread_move && state->gate > state->passed);
   if (!keeps_place) pose_of(word.position, &tp->currentPos);
   if (word.has_failed && !state->has_failed) {
     state->has_failed = 1;

@@ -5,9 +5,9 @@
 #include "state.h"
 
 static struct pins {
-  hal_float_t *seconds_ahead;
+  hal_float_t* seconds_ahead;
   hal_s32_t *late, *starvations;
-} *pins;
+}* pins;
 
 int figures_create(int component) {
   pins = hal_malloc(sizeof *pins);

@@ -11,14 +11,14 @@
 /* Revolutions beyond a tap's depth at which it is given up: the spindle does not turn back. */
 static const double most_overrun = 10;
 
-static double revolutions_of(const struct entry *entry) {
-  const spindle_status_t *spindle = &leadscrew_state.status->spindle_status[entry->spindle];
+static double revolutions_of(const struct entry* entry) {
+  const spindle_status_t* spindle = &leadscrew_state.status->spindle_status[entry->spindle];
   return spindle->direction < 0 ? -spindle->spindleRevs : spindle->spindleRevs;
 }
 
 /* Where the line has come to, in the configuration's units. */
-static void go_to(TP_STRUCT *tp, const struct entry *entry) {
-  const struct state *state = &leadscrew_state;
+static void go_to(TP_STRUCT* tp, const struct entry* entry) {
+  const struct state* state = &leadscrew_state;
   double start[leadscrew_tp_axes], end[leadscrew_tp_axes];
   position_of(&entry->start, start);
   position_of(&entry->end, end);
@@ -32,8 +32,8 @@ static void go_to(TP_STRUCT *tp, const struct entry *entry) {
 }
 
 /* Of the axes, along the line. */
-static void begin_line(TP_STRUCT *tp, const struct entry *entry) {
-  struct state *state = &leadscrew_state;
+static void begin_line(TP_STRUCT* tp, const struct entry* entry) {
+  struct state* state = &leadscrew_state;
   double start[leadscrew_tp_axes], end[leadscrew_tp_axes];
   double velocity = HUGE_VAL, acceleration = HUGE_VAL, jerk = HUGE_VAL, square = 0;
   position_of(&entry->start, start);
@@ -51,21 +51,21 @@ static void begin_line(TP_STRUCT *tp, const struct entry *entry) {
 }
 
 /* The spindle's place on the line, mm. */
-static double place_of(const struct entry *entry) {
-  const struct state *state = &leadscrew_state;
+static double place_of(const struct entry* entry) {
+  const struct state* state = &leadscrew_state;
   return (revolutions_of(entry) - state->revolutions) * entry->lead * state->mm;
 }
 
 /* True once the thread may begin. */
-static int wait_for_index(TP_STRUCT *tp, const struct entry *entry) {
-  struct state *state = &leadscrew_state;
-  spindle_status_t *spindle = &state->status->spindle_status[entry->spindle];
+static int wait_for_index(TP_STRUCT* tp, const struct entry* entry) {
+  struct state* state = &leadscrew_state;
+  spindle_status_t* spindle = &state->status->spindle_status[entry->spindle];
   if (state->following == following_none) {
     begin_line(tp, entry);
     state->following = following_index;
     if (entry->joins) {
       /* The thread before ended so much behind its beginning. */
-      const struct entry *before = entry_of(state->gate - 1);
+      const struct entry* before = entry_of(state->gate - 1);
       double start[leadscrew_tp_axes], end[leadscrew_tp_axes], square = 0;
       position_of(&before->start, start);
       position_of(&before->end, end);
@@ -82,9 +82,9 @@ static int wait_for_index(TP_STRUCT *tp, const struct entry *entry) {
 }
 
 /* A cycle of a tap's way with the spindle. */
-static void turn(TP_STRUCT *tp, const struct entry *entry) {
-  struct state *state = &leadscrew_state;
-  spindle_status_t *spindle = &state->status->spindle_status[entry->spindle];
+static void turn(TP_STRUCT* tp, const struct entry* entry) {
+  struct state* state = &leadscrew_state;
+  spindle_status_t* spindle = &state->status->spindle_status[entry->spindle];
   const double s = state->follower.s, now = revolutions_of(entry);
   const int goes_on = now > state->revolutions_before;
   state->revolutions_before = now;
@@ -99,13 +99,14 @@ static void turn(TP_STRUCT *tp, const struct entry *entry) {
   }
   const double overrun = most_overrun * entry->lead * state->mm;
   if (s <= state->length + overrun && s >= -overrun) return;
-  rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: the spindle has not turned back within %g turns of a tap's end\n", most_overrun);
+  rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: the spindle has not turned back within %g turns of a tap's end\n",
+                  most_overrun);
   state->status->motionFlag |= EMCMOT_MOTION_ERROR_BIT;
   tpAbort(tp);
 }
 
-int follow(TP_STRUCT *tp, const struct entry *entry) {
-  struct state *state = &leadscrew_state;
+int follow(TP_STRUCT* tp, const struct entry* entry) {
+  struct state* state = &leadscrew_state;
   int has_ended = 0;
   if (state->following <= following_index) {
     if (!wait_for_index(tp, entry)) return 0;
@@ -131,8 +132,8 @@ int follow(TP_STRUCT *tp, const struct entry *entry) {
   return has_ended;
 }
 
-int follow_to_rest(TP_STRUCT *tp, const struct entry *entry) {
-  struct state *state = &leadscrew_state;
+int follow_to_rest(TP_STRUCT* tp, const struct entry* entry) {
+  struct state* state = &leadscrew_state;
   state->status->spindle_status[entry->spindle].spindle_index_enable = 0;
   if (state->following > following_index && !leadscrew_tp_follower_stop(&state->follower)) {
     go_to(tp, entry);

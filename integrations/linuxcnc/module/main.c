@@ -12,9 +12,10 @@
 MODULE_LICENSE("GPL");
 MODULE_DESCRIPTION("Trajectory planner with limits of jerk, by Leadscrew");
 
-static char *jerk = NULL;
-RTAPI_MP_STRING(jerk, "limit of jerk, units/s^3: of linear axes; or of linear,rotary axes; or of all of X,Y,Z,A,B,C,U,V,W")
-static char *tolerance = NULL;
+static char* jerk = NULL;
+RTAPI_MP_STRING(jerk,
+                "limit of jerk, units/s^3: of linear axes; or of linear,rotary axes; or of all of X,Y,Z,A,B,C,U,V,W")
+static char* tolerance = NULL;
 RTAPI_MP_STRING(tolerance, "units: of G64 without P; 0.01 mm if not given")
 static int quiet_ms = 100;
 RTAPI_MP_INT(quiet_ms, "milliseconds without a move until motion begins along those there are")
@@ -26,12 +27,14 @@ RTAPI_MP_INT(inch, "1 where [TRAJ]LINEAR_UNITS is inch")
 struct state leadscrew_state;
 static int component = -1;
 
-static void report(const char *message) { rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: %s\n", message); }
+static void report(const char* message) {
+  rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: %s\n", message);
+}
 
 /* Numbers with commas between; how many there are, -1 where one is not above 0. */
-static int numbers_of(const char *text, double numbers[leadscrew_tp_axes]) {
+static int numbers_of(const char* text, double numbers[leadscrew_tp_axes]) {
   for (int count = 0; text && count < leadscrew_tp_axes;) {
-    char *end;
+    char* end;
     numbers[count] = strtod(text, &end);
     if (end == text || !(numbers[count] > 0)) return -1;
     ++count;
@@ -43,7 +46,7 @@ static int numbers_of(const char *text, double numbers[leadscrew_tp_axes]) {
 }
 
 /* Of the module's parameters; 0 where they are sound. */
-static int read_options(struct leadscrew_tp_options *options, double mm) {
+static int read_options(struct leadscrew_tp_options* options, double mm) {
   double given[leadscrew_tp_axes];
   const int count = numbers_of(jerk, given);
   if (count != 1 && count != 2 && count != leadscrew_tp_axes) {

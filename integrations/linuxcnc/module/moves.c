@@ -10,14 +10,14 @@
 /* Moves in flight beyond which task is told to wait, so that those on their way find room. */
 enum { nearly_full = leadscrew_tp_moves - 64 };
 
-void position_of(const EmcPose *pose, double position[leadscrew_tp_axes]) {
+void position_of(const EmcPose* pose, double position[leadscrew_tp_axes]) {
   const double mm = leadscrew_state.mm;
   const double values[] = {pose->tran.x * mm, pose->tran.y * mm, pose->tran.z * mm, pose->a,     pose->b,
                            pose->c,           pose->u * mm,      pose->v * mm,      pose->w * mm};
   for (int axis = 0; axis < leadscrew_tp_axes; ++axis) position[axis] = values[axis];
 }
 
-void pose_of(const double position[leadscrew_tp_axes], EmcPose *pose) {
+void pose_of(const double position[leadscrew_tp_axes], EmcPose* pose) {
   const double mm = leadscrew_state.mm;
   pose->tran.x = position[0] / mm;
   pose->tran.y = position[1] / mm;
@@ -49,8 +49,8 @@ int limits_changed(void) {
   return 0;
 }
 
-void set_down(TP_STRUCT *tp) {
-  struct state *state = &leadscrew_state;
+void set_down(TP_STRUCT* tp) {
+  struct state* state = &leadscrew_state;
   double position[leadscrew_tp_axes];
   position_of(&tp->currentPos, position);
   state->limits = limits_now();
@@ -64,8 +64,8 @@ void set_down(TP_STRUCT *tp) {
   report_rest(tp);
 }
 
-void report_rest(TP_STRUCT *tp) {
-  emcmot_status_t *status = leadscrew_state.status;
+void report_rest(TP_STRUCT* tp) {
+  emcmot_status_t* status = leadscrew_state.status;
   tp->done = 1;
   tp->depth = tp->activeDepth = 0;
   tp->execId = 0;
@@ -77,7 +77,7 @@ void report_rest(TP_STRUCT *tp) {
 }
 
 /* As it would be if all moves had ended where motion is. */
-int tpClear(TP_STRUCT *const tp) {
+int tpClear(TP_STRUCT* const tp) {
   const struct state_tag_t none = {.packed_flags = 0};
   tp->nextId = 0;
   tp->execTag = none;
@@ -91,16 +91,17 @@ int tpClear(TP_STRUCT *const tp) {
   return tpClearDIOs(tp);
 }
 
-static int is_finite(const EmcPose *pose) {
-  return isfinite(pose->tran.x + pose->tran.y + pose->tran.z + pose->a + pose->b + pose->c + pose->u + pose->v + pose->w);
+static int is_finite(const EmcPose* pose) {
+  return isfinite(pose->tran.x + pose->tran.y + pose->tran.z + pose->a + pose->b + pose->c + pose->u + pose->v +
+                  pose->w);
 }
 
-static int same(const EmcPose *a, const EmcPose *b) {
+static int same(const EmcPose* a, const EmcPose* b) {
   return a->tran.x == b->tran.x && a->tran.y == b->tran.y && a->tran.z == b->tran.z && a->a == b->a && a->b == b->b &&
          a->c == b->c && a->u == b->u && a->v == b->v && a->w == b->w;
 }
 
-int tpSetPos(TP_STRUCT *const tp, EmcPose const *const pose) {
+int tpSetPos(TP_STRUCT* const tp, EmcPose const* const pose) {
   if (!tp || !is_finite(pose)) return TP_ERR_FAIL;
   const int stands_there = same(&tp->currentPos, pose) && tp->done && !limits_changed();
   tp->currentPos = *pose;
@@ -109,20 +110,21 @@ int tpSetPos(TP_STRUCT *const tp, EmcPose const *const pose) {
   return TP_ERR_OK;
 }
 
-int tcqFull(TC_QUEUE_STRUCT const *const queue) {
+int tcqFull(TC_QUEUE_STRUCT const* const queue) {
   (void)queue;
   return leadscrew_state.added - leadscrew_state.begun >= nearly_full;
 }
 
-static double distance(const EmcPose *a, const EmcPose *b) {
-  const double linear = sqrt(pow(a->tran.x - b->tran.x, 2) + pow(a->tran.y - b->tran.y, 2) + pow(a->tran.z - b->tran.z, 2));
+static double distance(const EmcPose* a, const EmcPose* b) {
+  const double linear =
+      sqrt(pow(a->tran.x - b->tran.x, 2) + pow(a->tran.y - b->tran.y, 2) + pow(a->tran.z - b->tran.z, 2));
   if (linear > TP_POS_EPSILON) return linear;
   const double second = sqrt(pow(a->u - b->u, 2) + pow(a->v - b->v, 2) + pow(a->w - b->w, 2));
   return second > TP_POS_EPSILON ? second : sqrt(pow(a->a - b->a, 2) + pow(a->b - b->b, 2) + pow(a->c - b->c, 2));
 }
 
 /* Moves in rotary axes alone know no limit of the tool's speed. */
-static double speed_limit(const TP_STRUCT *tp, const EmcPose *end) {
+static double speed_limit(const TP_STRUCT* tp, const EmcPose* end) {
   EmcPose linear = *end;
   linear.a = tp->goalPos.a;
   linear.b = tp->goalPos.b;
@@ -131,9 +133,9 @@ static double speed_limit(const TP_STRUCT *tp, const EmcPose *end) {
 }
 
 /* In step with a spindle, as tpSetSpindleSync has said. */
-static void synchronize(const TP_STRUCT *tp, struct entry *entry) {
-  const struct state *state = &leadscrew_state;
-  const spindle_status_t *spindle = &state->status->spindle_status[tp->spindle.spindle_num];
+static void synchronize(const TP_STRUCT* tp, struct entry* entry) {
+  const struct state* state = &leadscrew_state;
+  const spindle_status_t* spindle = &state->status->spindle_status[tp->spindle.spindle_num];
   entry->spindle = tp->spindle.spindle_num;
   entry->lead = fabs(tp->uu_per_rev);
   entry->start = tp->goalPos;
@@ -142,7 +144,7 @@ static void synchronize(const TP_STRUCT *tp, struct entry *entry) {
     entry->pace = fabs(spindle->speed) / 60;
     if (entry->pace > 0) entry->speed = entry->pace * entry->lead;
   } else if (tp->synchronized == TC_SYNC_POSITION) {
-    const struct entry *before = entry_of(state->added);
+    const struct entry* before = entry_of(state->added);
     entry->kind = thread_move;
     entry->joins = !tp->done && before->kind == thread_move && before->lead == entry->lead;
     entry->waits_for_speed = 1;
@@ -155,7 +157,7 @@ static enum leadscrew_tp_join join_of(int condition) {
 }
 
 /* The move itself, by what has been set for it. */
-static void fill(const TP_STRUCT *tp, struct leadscrew_tp_move *move, const struct entry *entry, double ini_maxvel) {
+static void fill(const TP_STRUCT* tp, struct leadscrew_tp_move* move, const struct entry* entry, double ini_maxvel) {
   const double limit = speed_limit(tp, &entry->end);
   const double scale = isinf(limit) && tp->vLimit > 0 ? 1 : leadscrew_state.mm;
   const double asked = (entry->speed > 0 ? entry->speed : ini_maxvel) * scale;
@@ -170,8 +172,8 @@ static void fill(const TP_STRUCT *tp, struct leadscrew_tp_move *move, const stru
 }
 
 /* Takes the move on its way. */
-static int add(TP_STRUCT *tp, struct leadscrew_tp_move *move, struct entry *entry, double ini_maxvel) {
-  struct state *state = &leadscrew_state;
+static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entry, double ini_maxvel) {
+  struct state* state = &leadscrew_state;
   if (tp->aborting) return TP_ERR_OK; /* it would be forgotten at once */
   if (state->has_failed || !(ini_maxvel > 0)) return TP_ERR_FAIL;
   if (tp->done && limits_changed()) {
@@ -197,7 +199,7 @@ static int add(TP_STRUCT *tp, struct leadscrew_tp_move *move, struct entry *entr
   return TP_ERR_OK;
 }
 
-int tpAddLine(TP_STRUCT *const tp, EmcPose end, int canon_motion_type, double vel, double ini_maxvel, double acc,
+int tpAddLine(TP_STRUCT* const tp, EmcPose end, int canon_motion_type, double vel, double ini_maxvel, double acc,
               unsigned char enables, char atspeed, int indexer, struct state_tag_t tag) {
   (void)acc; /* along the line; that of the axes holds */
   if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
@@ -213,8 +215,9 @@ int tpAddLine(TP_STRUCT *const tp, EmcPose end, int canon_motion_type, double ve
   return add(tp, &move, &entry, ini_maxvel);
 }
 
-int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn, int canon_motion_type,
-                double vel, double ini_maxvel, double acc, unsigned char enables, char atspeed, struct state_tag_t tag) {
+int tpAddCircle(TP_STRUCT* const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
+                int canon_motion_type, double vel, double ini_maxvel, double acc, unsigned char enables, char atspeed,
+                struct state_tag_t tag) {
   (void)acc;
   if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
   const double along[] = {normal.z, normal.y, normal.x};
@@ -242,7 +245,7 @@ int tpAddCircle(TP_STRUCT *const tp, EmcPose end, PmCartesian center, PmCartesia
 }
 
 /* It ends where it begins. */
-int tpAddRigidTap(TP_STRUCT *const tp, EmcPose end, double vel, double ini_maxvel, double acc, unsigned char enables,
+int tpAddRigidTap(TP_STRUCT* const tp, EmcPose end, double vel, double ini_maxvel, double acc, unsigned char enables,
                   double scale, struct state_tag_t tag) {
   (void)acc;
   if (!tp || !is_finite(&end) || tp->synchronized == TC_SYNC_NONE || !(scale > 0)) return TP_ERR_FAIL;

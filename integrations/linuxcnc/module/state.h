@@ -23,11 +23,11 @@ struct entry {
 
   enum { free_move, paced_move, thread_move, tap_move } kind; /* in step with a spindle: by its speed; by its place */
   int spindle;
-  double lead;    /* units per revolution, of a move in step */
-  double pace;    /* revolutions per second for which `speed` holds, of a paced move */
-  double scale;   /* of the spindle's speed on a tap's way back */
-  int joins;      /* the move before is a thread too: no index is waited for */
-  EmcPose start;  /* of a thread or tap */
+  double lead;   /* units per revolution, of a move in step */
+  double pace;   /* revolutions per second for which `speed` holds, of a paced move */
+  double scale;  /* of the spindle's speed on a tap's way back */
+  int joins;     /* the move before is a thread too: no index is waited for */
+  EmcPose start; /* of a thread or tap */
 };
 
 /* What becomes of the thread or tap at the gate. */
@@ -44,10 +44,10 @@ enum following {
 enum { entry_count = 2 * leadscrew_tp_moves };
 
 struct state {
-  leadscrew_tp *planning;
+  leadscrew_tp* planning;
   double mm; /* in a unit of length of the configuration */
-  emcmot_status_t *status;
-  emcmot_config_t *config;
+  emcmot_status_t* status;
+  emcmot_config_t* config;
   void (*write_digital)(int, char);
   void (*write_analog)(int, double);
   void (*unlock_rotary)(int, int);
@@ -77,19 +77,21 @@ struct state {
 extern struct state leadscrew_state;
 
 /* Of move `number`. */
-static inline struct entry *entry_of(uint32_t number) { return &leadscrew_state.entries[number % entry_count]; }
+static inline struct entry* entry_of(uint32_t number) {
+  return &leadscrew_state.entries[number % entry_count];
+}
 
 /* In mm and degrees. */
-void position_of(const EmcPose *pose, double position[leadscrew_tp_axes]);
+void position_of(const EmcPose* pose, double position[leadscrew_tp_axes]);
 /* Of such a position. */
-void pose_of(const double position[leadscrew_tp_axes], EmcPose *pose);
+void pose_of(const double position[leadscrew_tp_axes], EmcPose* pose);
 /* Forgets all moves; motion stands at currentPos. */
-void set_down(TP_STRUCT *tp);
+void set_down(TP_STRUCT* tp);
 /* A cycle of the thread or tap at the gate. True once it has ended. */
-int follow(TP_STRUCT *tp, const struct entry *entry);
+int follow(TP_STRUCT* tp, const struct entry* entry);
 /* The same, on the way to rest. */
-int follow_to_rest(TP_STRUCT *tp, const struct entry *entry);
+int follow_to_rest(TP_STRUCT* tp, const struct entry* entry);
 /* Have the limits of the axes changed since? */
 int limits_changed(void);
 /* Everything that lies behind the planner's state, as tpRunCycle leaves it where nothing moves. */
-void report_rest(TP_STRUCT *tp);
+void report_rest(TP_STRUCT* tp);

@@ -36,15 +36,15 @@ struct leadscrew_tp_follower {
 };
 
 /** At rest at s = 0. The limits and the period are > 0. */
-void leadscrew_tp_follower_begin(struct leadscrew_tp_follower *follower, double velocity, double acceleration, double jerk,
-                                 double period);
+void leadscrew_tp_follower_begin(struct leadscrew_tp_follower* follower, double velocity, double acceleration,
+                                 double jerk, double period);
 /** A period in step with a spindle that asks for `place`, mm; motion ends at rest at `end` where it comes there, infinite
  * for nowhere. Returns whether it has. */
-int leadscrew_tp_follower_follow(struct leadscrew_tp_follower *follower, double place, double end);
+int leadscrew_tp_follower_follow(struct leadscrew_tp_follower* follower, double place, double end);
 /** A period on the way to rest. Returns whether it rests. */
-int leadscrew_tp_follower_stop(struct leadscrew_tp_follower *follower);
+int leadscrew_tp_follower_stop(struct leadscrew_tp_follower* follower);
 /** From rest to rest at `end`, a period. Returns whether it rests there. */
-int leadscrew_tp_follower_go(struct leadscrew_tp_follower *follower, double end);
+int leadscrew_tp_follower_go(struct leadscrew_tp_follower* follower, double end);
 
 #ifdef __cplusplus
 }

@@ -44,19 +44,19 @@ enum leadscrew_tp_join {
 
 /** A line or an arc from the end of the move before. */
 struct leadscrew_tp_move {
-  uint32_t number;                   /**< one more than that of the move before */
-  int is_arc;                        /**< else a line */
-  double end[leadscrew_tp_axes];     /**< mm or degrees */
-  double center[3];                  /**< of an arc, mm */
-  int plane;                         /**< of an arc: 0, 1, 2: its normal is along Z, Y, X */
-  int turns;                         /**< of an arc: turns begun, counterclockwise about that axis positive; not 0 */
-  double speed;                      /**< mm/s, or degrees/s of rotary axes alone; > 0 */
-  double top_speed;                  /**< the same, with any override; ≥ speed */
-  enum leadscrew_tp_join join;       /**< with the next */
-  double tolerance;                  /**< mm; of a blend; 0: that of the options */
-  int group;                         /**< motion rests between moves of two groups */
-  int waits;                         /**< motion rests before it until leadscrew_tp_wishes::passed says go */
-  int is_followed;                   /**< it is made by leadscrew_tp_wishes::passed's side; planning goes on from its end */
+  uint32_t number;               /**< one more than that of the move before */
+  int is_arc;                    /**< else a line */
+  double end[leadscrew_tp_axes]; /**< mm or degrees */
+  double center[3];              /**< of an arc, mm */
+  int plane;                     /**< of an arc: 0, 1, 2: its normal is along Z, Y, X */
+  int turns;                     /**< of an arc: turns begun, counterclockwise about that axis positive; not 0 */
+  double speed;                  /**< mm/s, or degrees/s of rotary axes alone; > 0 */
+  double top_speed;              /**< the same, with any override; ≥ speed */
+  enum leadscrew_tp_join join;   /**< with the next */
+  double tolerance;              /**< mm; of a blend; 0: that of the options */
+  int group;                     /**< motion rests between moves of two groups */
+  int waits;                     /**< motion rests before it until leadscrew_tp_wishes::passed says go */
+  int is_followed;               /**< it is made by leadscrew_tp_wishes::passed's side; planning goes on from its end */
 };
 
 /** What is asked for in this period. */
@@ -79,32 +79,32 @@ struct leadscrew_tp_word {
 
 /** What has happened since it was made. */
 struct leadscrew_tp_figures {
-  double seconds_ahead;  /**< planned and not begun, s */
-  int64_t late_chunks;   /**< pieces of motion that came after what they continue had been stopped */
-  int64_t starvations;   /**< ways to rest that were taken because nothing followed */
+  double seconds_ahead; /**< planned and not begun, s */
+  int64_t late_chunks;  /**< pieces of motion that came after what they continue had been stopped */
+  int64_t starvations;  /**< ways to rest that were taken because nothing followed */
 };
 
 typedef struct leadscrew_tp leadscrew_tp;
 
 /** Starts the thread of planning, of no priority. `report` gets a line for each problem, on that thread, and must outlive
  * it. NULL where there is no memory or no thread. */
-leadscrew_tp *leadscrew_tp_create(const struct leadscrew_tp_options *options, void (*report)(const char *message));
+leadscrew_tp* leadscrew_tp_create(const struct leadscrew_tp_options* options, void (*report)(const char* message));
 /** Ends the thread. The servo thread calls nothing any more. */
-void leadscrew_tp_destroy(leadscrew_tp *tp);
+void leadscrew_tp_destroy(leadscrew_tp* tp);
 /** Any thread's. */
-struct leadscrew_tp_figures leadscrew_tp_figures_now(const leadscrew_tp *tp);
+struct leadscrew_tp_figures leadscrew_tp_figures_now(const leadscrew_tp* tp);
 
 /** The servo thread's: sets motion down at rest at `position`; all moves so far are forgotten, and numbers begin from 1.
  * `period_ns`: of the cycle, 10 000 … 20 000 000. */
-void leadscrew_tp_set_down(leadscrew_tp *tp, const double position[leadscrew_tp_axes],
-                           const struct leadscrew_tp_limits *limits, int64_t period_ns);
+void leadscrew_tp_set_down(leadscrew_tp* tp, const double position[leadscrew_tp_axes],
+                           const struct leadscrew_tp_limits* limits, int64_t period_ns);
 /** The servo thread's: the next move. 0, or -1 where there is no room. */
-int leadscrew_tp_push(leadscrew_tp *tp, const struct leadscrew_tp_move *move);
+int leadscrew_tp_push(leadscrew_tp* tp, const struct leadscrew_tp_move* move);
 /** The servo thread's: it has made the move at the gate itself, which ends at rest at `position`. Then it says so by
  * leadscrew_tp_wishes::passed. */
-void leadscrew_tp_followed(leadscrew_tp *tp, uint32_t number, const double position[leadscrew_tp_axes]);
+void leadscrew_tp_followed(leadscrew_tp* tp, uint32_t number, const double position[leadscrew_tp_axes]);
 /** The servo thread's, once a period. */
-void leadscrew_tp_cycle(leadscrew_tp *tp, const struct leadscrew_tp_wishes *wishes, struct leadscrew_tp_word *word);
+void leadscrew_tp_cycle(leadscrew_tp* tp, const struct leadscrew_tp_wishes* wishes, struct leadscrew_tp_word* word);
 
 #ifdef __cplusplus
 }

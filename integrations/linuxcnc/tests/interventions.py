@@ -14,10 +14,12 @@ PATH = HEAD + "G64 P0.01 F1200\n" + "G1 X10\nG1 Y10\nG2 X30 Y10 I10 J0\nG1 X60\n
 class Record:
     """Positions in mm, and what was sampled with them, a period each."""
 
-    def __init__(self, text):
+    def __init__(self, text, outputs=True):
         rows = [line.split() for line in text.splitlines() if line.strip() != "overrun"]
         self.numbers = [int(row[0]) for row in rows]
         self.places = [[float(value) * 1e-6 for value in row[1:4]] for row in rows]
+        if not outputs:
+            return
         self.outputs = [int(float(row[4])) for row in rows]
         self.analogs = [float(row[5]) for row in rows]
 

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""spindle.py MODULE: threads, taps and feed per revolution inside LinuxCNC, under a spindle that wanders by 5 %. Every record
+is held against the limits by its own differences."""
+import sys
+import unittest
+
+import simulator
+from interventions import ACCELERATION, JERK, VELOCITY, Record
+
+HEAD = "G21 G90 G17 G94\nM3 S600\n"
+JOBS = {
+    "thread": {"program": HEAD + "G0 Z10\nG4 P1\nG33 Z-10 K1\nM5\nG0 Z0\nM2\n"},
+    "two-threads": {"program": HEAD + "G0 Z10\nG4 P1\nG33 Z0 K1\nG33 X2 Z-10 K1\nM5\nG0 Z0\nM2\n"},
+    "cycle": {"program": HEAD + "G0 X10 Z5\nG4 P1\nG18 G76 P1 Z-8 I-1 J0.2 K0.6 R1 Q0 H0 E0 L0\nM5\nM2\n"},
+    "tap": {"program": HEAD + "G0 Z5\nG4 P1\nG33.1 Z-8 K1\nM5\nG0 Z0\nM2\n"},
+    "per-revolution": {"program": HEAD + "G4 P1\nG95 F0.2\nG1 X5\nG94\nM5\nM2\n"},
+    "aborted-thread": {"program": HEAD + "G4 P1\nG33 Z-30 K1\nM5\nM2\n", "acts": [[3, "abort", 0]]},
+    "aborted-tap": {"program": HEAD + "G4 P1\nG33.1 Z-30 K1\nM5\nM2\n", "acts": [[3, "abort", 0]]},
+}
+
+
+class Spindle(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        jobs = [{"name": name, **job} for name, job in JOBS.items() if not names or name in names]
+        cls.results, cls.log = simulator.play(module, "leadscrew_tp jerk=20000", jobs, hal="spindle.hal")
+
+    def record(self, name):
+        """The record within limits, and revolutions."""
+        if name not in self.results:
+            self.skipTest("not asked for")
+        text, complaint, self.end = self.results[name]
+        self.assertEqual(complaint, "", self.log[-2000:])
+        record = Record(text, outputs=False)
+        for order, limit in ((1, VELOCITY), (2, ACCELERATION), (3, JERK)):
+            self.assertLessEqual(record.differences(order), 1.001 * limit, f"order {order}")
+        return record, [float(line.split()[4]) for line in text.splitlines() if line != "overrun"]
+
+    def errors(self, record, revolutions, start, end):
+        """Of Z against the spindle between two places of the thread, mm, by the words that belong together: motmod's filter
+        tells positions two periods late."""
+        return [abs(10 - turns - place[2]) for place, turns in zip(record.places[2:], revolutions)
+                if start > place[2] > end and 0 < turns < 22 and abs(10 - turns - place[2]) < 1]
+
+    def test_thread_is_in_step_behind_its_run_in(self):
+        record, revolutions = self.record("thread")
+        errors = self.errors(record, revolutions, 5, -9)
+        self.assertGreater(len(errors), 1000)
+        self.assertLess(max(errors), 0.015)
+
+    def test_threads_one_behind_the_other(self):
+        record, revolutions = self.record("two-threads")
+        self.assertLess(max(self.errors(record, revolutions, 5, 0.5)), 0.015)
+        self.assertLess(min(place[2] for place in record.places), -9.999)
+
+    def test_cycle_of_threading(self):
+        self.record("cycle")
+
+    def test_tap_comes_back_to_where_it_began(self):
+        record, _ = self.record("tap")
+        self.assertLess(min(place[2] for place in record.places), -8)
+        self.assertTrue(any(place[2] == 5 for place in record.places[-1000:]))
+
+    def test_feed_per_revolution(self):
+        self.assertAlmostEqual(self.record("per-revolution")[0].differences(1), 2.1, delta=0.05)
+
+    def test_aborted_thread(self):
+        record, _ = self.record("aborted-thread")
+        self.assertGreater(record.places[-1][2], -29)
+
+    def test_aborted_tap(self):
+        record, _ = self.record("aborted-tap")
+        self.assertGreater(record.places[-1][2], -29)
+
+
+if __name__ == "__main__":
+    module, *names = sys.argv[1:]
+    if not simulator.available():
+        print("LinuxCNC is not installed, or this is not root: skipped")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
