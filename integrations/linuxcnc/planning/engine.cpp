@@ -11,12 +11,12 @@ namespace leadscrew::linuxcnc {
 
 namespace {
 
-constexpr std::size_t chunks = 256;           // some seconds at least, after chunks that were late
-constexpr double far_ahead = 5;               // times the options' `ahead`: at first and after chunks that were late
-constexpr double enough_to_begin = 2;         // s, at the moves' speeds
-constexpr double short_slice = 0.01;          // s, where the feeder asks for no other
-constexpr double least_change = 0.005;        // of the factor: adaptive feed trembles
-constexpr double travel = 1e5;                // mm or degrees
+constexpr std::size_t chunks = 256;     // some seconds at least, after chunks that were late
+constexpr double far_ahead = 5;         // times the options' `ahead`: at first and after chunks that were late
+constexpr double enough_to_begin = 2;   // s, at the moves' speeds
+constexpr double short_slice = 0.01;    // s, where the feeder asks for no other
+constexpr double least_change = 0.005;  // of the factor: adaptive feed trembles
+constexpr double travel = 1e5;          // mm or degrees
 
 /// mm, or degrees of rotary axes alone: of a line, and not more than that of an arc.
 double least_length(const gcode::Move& move) {
@@ -81,8 +81,8 @@ base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position
   }
   gcode::Move move = host::line(end, asked.speed);
   if (asked.is_arc) {
-    const gcode::Plane plane = std::array{gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ}.at(
-        static_cast<std::size_t>(asked.plane));
+    const gcode::Plane plane =
+        std::array{gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ}.at(static_cast<std::size_t>(asked.plane));
     move = host::arc(end, plane, asked.center[base::index(first_axis(plane))],
                      asked.center[base::index(second_axis(plane))], asked.turns, asked.speed);
   }
@@ -117,7 +117,7 @@ realtime::Planning Engine::planning() {
           .end_for_now = [this] { end_for_now(); },
           .come_to_rest = [this] { source_.planner().come_to_rest(); },
           .quiet_to_begin = options_.quiet,
-          .enough_to_begin = far_ahead * options_.ahead};
+          .enough_to_begin = far_ahead* options_.ahead};
 }
 
 /// s since the last move came.

@@ -6,10 +6,10 @@
 // planned, so that no more is settled ahead than while it lasts.
 
 #include <cstdint>
-#include <leadscrew/diagnostic.hpp>
-#include <leadscrew/motion.hpp>
 #include <leadscrew/controller.hpp>
+#include <leadscrew/diagnostic.hpp>
 #include <leadscrew/machine.hpp>
+#include <leadscrew/motion.hpp>
 #include <leadscrew/motion_source.hpp>
 #include <leadscrew/realtime.hpp>
 #include <string>
@@ -25,7 +25,8 @@ std::string told(const base::Diagnostic& diagnostic);
 base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, const leadscrew_tp_options& options,
                                           std::int64_t period_ns);
 /// The move behind a start, mm or degrees, on the machine. Codes: those of host::put_behind().
-base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start, const machine::Machine& machine);
+base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start,
+                                  const machine::Machine& machine);
 
 /// The thread of planning's, but for controller().next(). The machine is sound (machine::validate).
 class Engine {
@@ -70,12 +71,12 @@ class Engine {
   interpolator::Controller controller_;
   const realtime::Planning planning_;
   realtime::Feeder feeder_;
-  double factor_ = 1;                ///< of the feed, in force
-  double greatest_factor_ = 2;       ///< that all moves allow since motion settled last
+  double factor_ = 1;           ///< of the feed, in force
+  double greatest_factor_ = 2;  ///< that all moves allow since motion settled last
   bool is_open_ = false;
-  bool has_begun_ = false;           ///< to plan what is open
-  double waiting_ = 0;               ///< s that the moves take at their speeds which are open and were not begun
-  std::int64_t last_came_ = 0;       ///< ns
+  bool has_begun_ = false;      ///< to plan what is open
+  double waiting_ = 0;          ///< s that the moves take at their speeds which are open and were not begun
+  std::int64_t last_came_ = 0;  ///< ns
 };
 
 }  // namespace leadscrew::linuxcnc

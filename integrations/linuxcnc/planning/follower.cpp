@@ -23,8 +23,12 @@ double braked(double x, double rate, double gain) {
   return std::copysign(y, x);
 }
 
-double error_gain(const Follower& f) { return std::min(share * f.jerk / f.acceleration, largest_gain / 4); }
-double speed_gain(const Follower& f) { return 4 * error_gain(f); }
+double error_gain(const Follower& f) {
+  return std::min(share * f.jerk / f.acceleration, largest_gain / 4);
+}
+double speed_gain(const Follower& f) {
+  return 4 * error_gain(f);
+}
 
 /// Takes a place of the spindle; Brookner, "Tracking and Kalman filtering made easy", table 1.3-1 (fading memory).
 void estimate(Follower& f, double place) {
@@ -53,10 +57,14 @@ void move(Follower& f, double wanted) {
 }
 
 /// The acceleration that leads to a speed.
-double towards(const Follower& f, double speed) { return braked(speed - f.v, share * f.jerk, speed_gain(f)); }
+double towards(const Follower& f, double speed) {
+  return braked(speed - f.v, share * f.jerk, speed_gain(f));
+}
 
 /// The speed that sums lead to, where f.v is the mean of the last period.
-double speed_now(const Follower& f) { return f.v + f.a * f.period / 2; }
+double speed_now(const Follower& f) {
+  return f.v + f.a * f.period / 2;
+}
 
 /// From s, v and a to rest at `end`, in this time.
 std::array<double, 6> polynomial(const Follower& f, double end, double duration) {
@@ -98,7 +106,8 @@ double ending_speed(const Follower& f, double end) {
   // From speed v in a time d, v·d/2 far: accelerations up to 3/2·v/d, jerks up to 6·v/d².
   const double left = end - f.s - 1.5 * std::max(f.a, 0.0) * std::max(f.v, 0.0) / f.jerk;
   const double far = std::abs(left);
-  const double v = std::min(std::cbrt(wanted * f.jerk * far * far * 2 / 3), std::sqrt(wanted * f.acceleration * far * 4 / 3));
+  const double v =
+      std::min(std::cbrt(wanted * f.jerk * far * far * 2 / 3), std::sqrt(wanted * f.acceleration * far * 4 / 3));
   return std::copysign(v, left);
 }
 

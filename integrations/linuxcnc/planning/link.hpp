@@ -36,7 +36,7 @@ struct Link {
   std::atomic<double> factor{1};
 
   // Told by the thread of planning.
-  std::atomic<std::uint32_t> made{0};     ///< number of the setting down that the controller and all below belong to
+  std::atomic<std::uint32_t> made{0};      ///< number of the setting down that the controller and all below belong to
   std::atomic<std::uint32_t> rejoined{0};  ///< the controller stands behind this followed move
   std::atomic<interpolator::Controller*> controller{nullptr};
   std::atomic<std::uint32_t> finished{0}, gate{0};

@@ -25,9 +25,9 @@ struct leadscrew_tp {
   PlanningThread thread;
 
   // The servo thread's.
-  std::uint32_t set_down = 0;            ///< number of the last setting down
-  Controller* controller = nullptr;      ///< none yet, or while a move is followed
-  std::uint32_t followed = 0;            ///< number of the move that was followed last
+  std::uint32_t set_down = 0;        ///< number of the last setting down
+  Controller* controller = nullptr;  ///< none yet, or while a move is followed
+  std::uint32_t followed = 0;        ///< number of the move that was followed last
   Position position{};
   double speed = 0;
   std::uint32_t number = 0;

@@ -7,7 +7,7 @@ namespace leadscrew::linuxcnc {
 
 namespace {
 
-constexpr std::int64_t nap = 500'000;           // ns
+constexpr std::int64_t nap = 500'000;            // ns
 constexpr std::size_t stack_size = 1024 * 1024;  // bytes: all of it is locked
 
 }  // namespace
