@@ -92,7 +92,7 @@ bool BlockReader::read(const TextLine& line, Block& block) {
     }
   }
   block.complete = in_step;
-  if (side_ != 0) set_side(block);
+  if (block.has(Group::cutter_radius) && block.has(Group::nonmodal)) set_side(block);
   if (!assignments_.empty()) assign(block);
   if (remark_.data() != nullptr) {
     if (in_step) remarks_.execute(remark_);
@@ -217,10 +217,7 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
     block.code_columns[index(Group::motion)] = column;
     return true;
   }
-  if (dialect_ == Dialect::haas && (code == Code::G41 || code == Code::G42)) {
-    side_ = code == Code::G41 ? 41 : 42;
-    side_column_ = column;
-  } else if (!known.read) {
+  if (!known.read) {
     reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
                     instead_of(code));
   } else {
@@ -233,14 +230,9 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
 
 // Haas: G150 has G41 or G42 beside it, which say the side of its contour.
 void BlockReader::set_side(Block& block) {
-  if (block.is(Code::G150)) {
-    block.user_code = side_;
-  } else {
-    const CodeRow& known = row(side_ == 41 ? Code::G41 : Code::G42);
-    reporter_.error("unsupported-code", side_column_, name(known.code) + " (" + known.summary + ") is not supported",
-                    "docs/gcode.md lists what is");
-  }
-  side_ = 0;
+  if (!block.is(Code::G150)) return;
+  block.user_code = block.is(Code::G41) ? 41 : block.is(Code::G42) ? 42 : 0;
+  block.groups &= ~bit(Group::cutter_radius);
 }
 
 bool BlockReader::assignment(const char*& p) {

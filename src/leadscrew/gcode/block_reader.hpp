@@ -40,7 +40,7 @@ class BlockReader {
   [[gnu::cold]] bool refuse_value(unsigned letter, double value, std::uint32_t column);
   [[gnu::cold]] bool refuse_repeated(unsigned letter, std::uint32_t column);
   [[gnu::cold]] bool refuse_unknown(char letter, double value, std::uint32_t column);
-  [[gnu::cold]] void set_side(Block& block);
+  [[gnu::cold]] static void set_side(Block& block);
   [[gnu::cold]] bool refuse_code(Code code, std::uint32_t column, Block& block);
   /// What begins with neither a letter nor a remark: forms that some dialects have (text_forms.cpp).
   [[gnu::cold]] bool other(const char*& p, const TextLine& line);
@@ -64,10 +64,8 @@ class BlockReader {
   ExpressionReader values_;
   Remarks remarks_;
   std::vector<Assignment> assignments_;
-  std::string message_;            // of #3006
-  std::string_view remark_;        // of the line, that asks for something; null for none
-  std::int16_t side_ = 0;          // 41 or 42 of a block of Haas that has it
-  std::uint32_t side_column_ = 0;  // of it
+  std::string message_;      // of #3006
+  std::string_view remark_;  // of the line, that asks for something; null for none
   Dialect dialect_;
   bool block_delete_;
 };

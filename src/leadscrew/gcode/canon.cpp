@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/gcode/arc.hpp>
 #include <leadscrew/gcode/canon.hpp>
+#include <leadscrew/gcode/path_length.hpp>
 #include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
@@ -13,24 +14,6 @@ constexpr std::size_t first_rotary = base::index(base::Axis::A), first_uvw = bas
 
 double length_of(const base::AxisVector& from, const base::AxisVector& to, std::size_t first) {
   return numeric::hypot(to[first] - from[first], to[first + 1] - from[first + 1], to[first + 2] - from[first + 2]);
-}
-
-// As feed counts it: along X Y Z; along U V W where those stand still; along A B C where all linear axes do.
-double path_length(const Move& move) {
-  if (move.kind == Move::Kind::arc) {
-    const PlanePoint start = in_plane(move.start, move.plane), end = in_plane(move.end, move.plane);
-    const PlanePoint center{move.center_first, move.center_second};
-    const int direction = move.turns > 0 ? 1 : -1;
-    const double angle =
-        sweep(start, end, center, direction) + (std::abs(move.turns) - 1) * sweep(start, start, center, direction);
-    const double radius = numeric::hypot(start.first - center.first, start.second - center.second);
-    const std::size_t normal = base::index(normal_axis(move.plane));
-    return numeric::hypot(radius * angle, move.end[normal] - move.start[normal]);
-  }
-  for (const std::size_t first : {std::size_t{0}, first_uvw}) {
-    if (const double length = length_of(move.start, move.end, first); length > 0) return length;
-  }
-  return length_of(move.start, move.end, first_rotary);
 }
 
 bool is_rotary_only(const Move& move) {

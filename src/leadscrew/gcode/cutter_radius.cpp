@@ -17,18 +17,43 @@ std::optional<double> CutterRadius::of(const Block& block) {
   }
   modal_.cutter = given;
   if (*number == 0) return 0;
-  const machine::Tool* const tool = tools_.find(*number);
+  return of_tool(*number, column);
+}
+
+std::optional<double> CutterRadius::of_tool(int number, std::uint32_t column) {
+  const machine::Tool* const tool = tools_.find(number);
   if (tool) return tool->diameter / 2;
   if (!tools_.tools().empty()) {
-    error("unknown-tool", column, "tool " + std::to_string(*number) + " is not in the tool table",
+    error("unknown-tool", column, "tool " + std::to_string(number) + " is not in the tool table",
           "give a tool table that holds it, with its diameter");
     return std::nullopt;
   }
   if (!std::exchange(told_of_table_, true)) {
-    reporter_.warning("no-tool-table", column, "there is no tool table: the diameter of D" + text(given) + " is 0",
+    reporter_.warning("no-tool-table", column,
+                      "there is no tool table: the diameter of D" + std::to_string(number) + " is 0",
                       "give a tool table with the diameters of the tools");
   }
   return 0;
+}
+
+std::optional<double> CutterRadius::of_compensation(const Block& block) {
+  const Code code = block.code(Group::cutter_radius);
+  const bool is_given = code == Code::G41_1 || code == Code::G42_1;
+  if (is_given && !block.has('D')) return std::nullopt;  // missing-word
+  if (is_given) return block['D'] * frame_.length_unit / 2;
+  const std::uint32_t column = block.has('D') ? block.column_of('D') : block.column_of(Group::cutter_radius);
+  const bool is_of_fanuc = is_of_fanuc_family(options_.dialect);
+  std::optional<int> number = 0;
+  if (block.has('D')) number = as_integer(block['D']);
+  if (!block.has('D') && is_of_fanuc && modal_.cutter) number = as_integer(*modal_.cutter);
+  if (!number || *number < 0) {
+    error("bad-value", column, "the tool number is " + text(block['D']), "D must be an integer of 0 or more");
+    return std::nullopt;
+  }
+  if (is_of_fanuc && block.has('D')) modal_.cutter = block['D'];
+  if (is_of_fanuc && *number == 0 && (block.has('D') || modal_.cutter)) return 0;
+  if (*number == 0) number = modal_.loaded_tool;
+  return *number == 0 ? 0 : of_tool(*number, column);
 }
 
 }  // namespace leadscrew::gcode

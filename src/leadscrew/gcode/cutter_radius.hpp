@@ -1,5 +1,5 @@
 #pragma once
-// The radius of the cutter that D names, for cycles that keep to the inside of what they cut.
+// The radius of the cutter that D names, for cycles that keep to the inside of what they cut, and for cutter compensation.
 
 #include <leadscrew/gcode/part.hpp>
 
@@ -12,8 +12,14 @@ class CutterRadius : Part {
   /// Of D of the block, or else the D given last before it, mm; 0 of D0. Nothing where it is not known, which has been
   /// reported; where there is no tool table at all, 0 with one warning.
   std::optional<double> of(const Block& block);
+  /// Of G41, G41.1, G42 or G42.1, mm: half of D, which may be negative, or the radius of the tool that D names, without D of
+  /// the tool in the spindle (LinuxCNC manual, G Codes, "G41, G42"; Fanuc: of the D given last). Nothing where it is not
+  /// known, which has been reported.
+  std::optional<double> of_compensation(const Block& block);
 
  private:
+  std::optional<double> of_tool(int number, std::uint32_t column);
+
   bool told_of_table_ = false;
 };
 

@@ -15,6 +15,7 @@ Interpreter::Interpreter(const Context& context)
       threading_(context, motion_, travel_, outbox_),
       lathe_cycles_(context, motion_, travel_),
       cutter_(context),
+      compensation_(context, cutter_, travel_),
       planned_(context, travel_, outbox_),
       circular_pockets_(context, motion_, cutter_, planned_),
       pocket_cycle_(context, motion_, cutter_, planned_),
@@ -77,7 +78,7 @@ void Interpreter::execute_special(Block block) {
 bool Interpreter::is_plain() const {
   return !modal_.diameters && !modal_.constant_surface_speed && !saved_modes_.any() && !lathe_cycles_.is_open() &&
          !pocket_cycle_.is_open() && !surface_blocks_.is_open() && !directed_curve_.is_open() && !modal_.calls_macro &&
-         !tilted_planes_.is_unfinished();
+         !tilted_planes_.is_unfinished() && !compensation_.is_active();
 }
 
 void Interpreter::end_contour() {
@@ -118,6 +119,7 @@ void Interpreter::begin_block(const Block& block) {
   modal_.to_do = check_.motion_of(block);
   check_.check(block);
   if (frame_.is_tilted()) tilted_planes_.check(block);
+  if (compensation_.is_active()) compensation_.check(block);
   if (reporter_.failed()) reporter_.mute();
 
   motion_.set_feed(block);
@@ -145,6 +147,7 @@ void Interpreter::finish_block(const Block& block) {
   pocket_cycle_.abandon();
   surface_moves_.abandon();
   directed_curve_.abandon();
+  compensation_.abandon();
   travel_.note_outside();
   if (!ended_) stop_.reset();
 }
@@ -217,7 +220,18 @@ Interpreter::Plain Interpreter::execute_plain_arc(const Block& block, Code motio
   return Plain::move;
 }
 
+void Interpreter::settle() {
+  vectors_.settle();
+  compensation_.settle();
+}
+
+const KeptPlace* Interpreter::place_of(base::Line line) const {
+  const KeptPlace* const place = vectors_.place_of(line);
+  return place ? place : compensation_.place_of(line);
+}
+
 bool Interpreter::next(Move& move) {
+  if (compensation_.is_active()) return next_compensated(move);
   return vectors_.any() ? next_with_vectors(move) : next_of_block(move);
 }
 
@@ -225,6 +239,15 @@ bool Interpreter::next(Move& move) {
 bool Interpreter::next_with_vectors(Move& move) {
   while (vectors_.is_open() && next_of_block(move)) vectors_.keep(move);
   return vectors_.take(move) || (!vectors_.is_open() && next_of_block(move));
+}
+
+// A move of the tool's middle is known where the motion behind it is.
+bool Interpreter::next_compensated(Move& move) {
+  while (!compensation_.take(move)) {
+    if (!next_of_block(move)) return false;
+    compensation_.add(move);
+  }
+  return true;
 }
 
 bool Interpreter::next_of_block(Move& move) {
@@ -271,6 +294,7 @@ void Interpreter::set_modes(const Block& block) {
   if (block.has(Group::path)) set_path_control(block);
   if (block.is(Code::G187)) set_smoothness(block);
   if (block.is(Code::G9)) modal_.effective_mode = PathMode::exact_stop;
+  if (block.has(Group::cutter_radius)) compensation_.set(block);
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {
     modal_.arc_distance = block.is(Code::G90_1) ? Distance::absolute : Distance::incremental;

@@ -10,6 +10,7 @@
 #include <leadscrew/gcode/block_check.hpp>
 #include <leadscrew/gcode/circular_pocket.hpp>
 #include <leadscrew/gcode/curves.hpp>
+#include <leadscrew/gcode/cutter_compensation.hpp>
 #include <leadscrew/gcode/cycles.hpp>
 #include <leadscrew/gcode/directed_curve.hpp>
 #include <leadscrew/gcode/engraving.hpp>
@@ -54,11 +55,13 @@ class Interpreter : Part {
 
   /// Are lines kept back whose rotary axes are not known yet (G43.5)? Before anything asks where those are, settle().
   bool keeps_back() const { return vectors_.is_open(); }
-  /// Whether the block can be executed all the same.
-  bool goes_on(const Block& block) const { return vectors_.goes_on(block); }
-  [[gnu::cold]] void settle() { vectors_.settle(); }
+  /// Whether the block waits until all that is kept back, here or by cutter compensation, has been handed out.
+  bool waits(const Block& block) const {
+    return (keeps_back() && !vectors_.goes_on(block)) || compensation_.ends_with(block);
+  }
+  [[gnu::cold]] void settle();
   /// Of a line that was kept back, where its move was the last; else null.
-  const KeptPlace* place_of(base::Line line) const { return vectors_.place_of(line); }
+  const KeptPlace* place_of(base::Line line) const;
 
   /// What the M66 handed out last has found.
   void input_is(double value) { events_.set_input(value); }
@@ -107,6 +110,7 @@ class Interpreter : Part {
   [[gnu::noinline]] Plain execute_plain_arc(const Block& block, Code motion, base::Line line, Move& move);
   bool next_of_block(Move& move);
   [[gnu::noinline]] bool next_with_vectors(Move& move);
+  [[gnu::noinline]] bool next_compensated(Move& move);
 
   Outbox outbox_;
   MachineEvents events_;
@@ -118,6 +122,7 @@ class Interpreter : Part {
   Threading threading_;
   LatheCycles lathe_cycles_;
   CutterRadius cutter_;
+  CutterCompensation compensation_;
   PlannedCycle planned_;
   CircularPockets circular_pockets_;
   PocketCycle pocket_cycle_;

@@ -56,6 +56,8 @@ struct ModalState {
   std::optional<int> selected_tool;
   int loaded_tool = 0;
   std::optional<double> cutter;  ///< the D given last, as it was written
+  Code cutter_side = Code::G40;  ///< G40, G41 or G42: on which side of the contour the tool is compensated
+  bool tool_is_aside = false;    ///< behind G40: the tool is yet to go to where the program stands
 
   // The calls under way, and the fewest that were since a block was executed last.
   std::size_t calls = 0;

@@ -121,7 +121,9 @@ bool Motion::feed_per_revolution(const Block& block, Feed& feed) {
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
   travel_.inside_travel(block, target);
-  if (target == frame_.position) return;
+  const bool comes_back = modal_.tool_is_aside && (block.words & axis_letter_bits);
+  if (target == frame_.position && !comes_back) return;
+  modal_.tool_is_aside = false;
   Move& line = outbox_.emit(Move::Kind::line);
   line.end = target;
   line.feed = feed;

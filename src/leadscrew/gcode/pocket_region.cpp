@@ -55,38 +55,10 @@ bool is_beside(PlanePoint point, const ContourPiece& piece) {
   return piece.is_arc() ? is_beside_arc(point, piece) : is_beside_line(point, piece);
 }
 
-// Where the lines or circles of two pieces meet: none, one or two points.
-struct Meetings {
-  PlanePoint points[2];
-  int count = 0;
-};
-
 Meetings chord_of(PlanePoint foot, PlanePoint along, double square) {
   if (square < 0) return {};
   const double half = std::sqrt(square);
   return {{plus(foot, along, half), plus(foot, along, -half)}, 2};
-}
-
-Meetings meetings_of(const ContourPiece& a, const ContourPiece& b) {
-  if (a.is_arc() && !b.is_arc()) return meetings_of(b, a);
-  if (!a.is_arc() && !b.is_arc()) {
-    const PlanePoint u = minus(a.end, a.start), v = minus(b.end, b.start);
-    const double sine = cross_of(u, v);
-    if (std::fabs(sine) <= angle_rounding * length_of(u) * length_of(v)) return {};
-    return {{plus(a.start, u, cross_of(minus(b.start, a.start), v) / sine), {}}, 1};
-  }
-  if (!a.is_arc()) {
-    const PlanePoint along = direction_of(minus(a.end, a.start));
-    const PlanePoint foot = plus(a.start, along, dot_of(minus(b.center, a.start), along));
-    const double radius = radius_of_arc(b), off = span_of(foot, b.center);
-    return chord_of(foot, along, radius * radius - off * off);
-  }
-  const PlanePoint between = minus(b.center, a.center);
-  const double apart = length_of(between), one = radius_of_arc(a), other = radius_of_arc(b);
-  if (!(apart > contour_tolerance)) return {};
-  const PlanePoint along = direction_of(between);
-  const double at = (apart * apart + one * one - other * other) / (2 * apart);
-  return chord_of(plus(a.center, along, at), left_of(along), one * one - at * at);
 }
 
 // Those ends and middles of two pieces between which the least distance may be.
@@ -126,6 +98,34 @@ double turn_about(PlanePoint point, const ContourPiece& piece) {
 }
 
 }  // namespace
+
+Meetings meetings_of(const ContourPiece& a, const ContourPiece& b) {
+  if (a.is_arc() && !b.is_arc()) return meetings_of(b, a);
+  if (!a.is_arc() && !b.is_arc()) {
+    const PlanePoint u = minus(a.end, a.start), v = minus(b.end, b.start);
+    const double sine = cross_of(u, v);
+    if (std::fabs(sine) <= angle_rounding * length_of(u) * length_of(v)) return {};
+    return {{plus(a.start, u, cross_of(minus(b.start, a.start), v) / sine), {}}, 1};
+  }
+  if (!a.is_arc()) {
+    const PlanePoint along = direction_of(minus(a.end, a.start));
+    const PlanePoint foot = plus(a.start, along, dot_of(minus(b.center, a.start), along));
+    const double radius = radius_of_arc(b), off = span_of(foot, b.center);
+    return chord_of(foot, along, radius * radius - off * off);
+  }
+  const PlanePoint between = minus(b.center, a.center);
+  const double apart = length_of(between), one = radius_of_arc(a), other = radius_of_arc(b);
+  if (!(apart > contour_tolerance)) return {};
+  const PlanePoint along = direction_of(between);
+  const double at = (apart * apart + one * one - other * other) / (2 * apart);
+  return chord_of(plus(a.center, along, at), left_of(along), one * one - at * at);
+}
+
+PlanePoint heading(const ContourPiece& piece, PlanePoint at) {
+  if (!piece.is_arc()) return direction_of(minus(piece.end, piece.start));
+  const PlanePoint along = left_of(direction_of(minus(at, piece.center)));
+  return {piece.turn * along.first, piece.turn * along.second};
+}
 
 PlanePoint nearest(PlanePoint point, const ContourPiece& piece) {
   if (piece.is_arc()) {
@@ -240,13 +240,6 @@ std::vector<Span> clear_spans(const Contour& contour, double aside, double y) {
 }
 
 namespace {
-
-// Which way a piece goes where it begins or ends.
-PlanePoint heading(const ContourPiece& piece, PlanePoint at) {
-  if (!piece.is_arc()) return direction_of(minus(piece.end, piece.start));
-  const PlanePoint along = left_of(direction_of(minus(at, piece.center)));
-  return {piece.turn * along.first, piece.turn * along.second};
-}
 
 // To the left by a distance; false of an arc that is swallowed.
 bool shift_to_left(ContourPiece& piece, double by) {

@@ -15,6 +15,16 @@ namespace leadscrew::gcode {
 /// By how much places may be nearer than they should: rounding.
 inline constexpr double pocket_rounding = 1e-6;
 
+/// Where the lines or circles of two pieces meet: none, one or two points. Lines that are parallel do not.
+struct Meetings {
+  PlanePoint points[2];
+  int count = 0;
+};
+Meetings meetings_of(const ContourPiece& a, const ContourPiece& b);
+
+/// Which way a piece goes at one of its ends: a vector of length 1. A line must have a length.
+PlanePoint heading(const ContourPiece& piece, PlanePoint at);
+
 /// The point of a piece that is nearest to another.
 PlanePoint nearest(PlanePoint point, const ContourPiece& piece);
 /// From a point to a piece; arcs may be of up to one turn, a whole one where their ends coincide.

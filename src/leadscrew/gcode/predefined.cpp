@@ -69,7 +69,7 @@ constexpr PredefinedRow predefined_rows[] = {
     {"_B", at_program<Axis::B>},
     {"_C", at_program<Axis::C>},
     {"_CALL_LEVEL", [](const Predefined& p) -> double { return static_cast<double>(p.parameters().calls()); }},
-    {"_CCOMP", [](const Predefined&) -> double { return number_of(Code::G40); }},
+    {"_CCOMP", [](const Predefined& p) -> double { return number_of(p.modal().cutter_side); }},
     {"_COORD_SYSTEM", [](const Predefined& p) -> double { return system_number(p.modal().system); }},
     {"_CURRENT_POCKET", [](const Predefined& p) -> double { return p.pocket_of(p.modal().loaded_tool); }},
     {"_CURRENT_TOOL", [](const Predefined& p) -> double { return p.modal().loaded_tool; }},

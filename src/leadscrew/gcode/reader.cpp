@@ -141,7 +141,7 @@ class Reader::Implementation {
     if (flow_.may_take(line) && !is_block(line)) return false;
     if (has_printer_commands_ && printer_.take(line)) return false;
     if (!block_is_read(line)) return false;
-    if (interpreter_.keeps_back() && !interpreter_.goes_on(block_)) return hold(line);
+    if (interpreter_.waits(block_)) return hold(line);
     return execute_read(line, move);
   }
 

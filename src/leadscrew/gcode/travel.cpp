@@ -18,12 +18,44 @@ constexpr double travel_rounding = 1e-9;  // mm or degrees
 }  // namespace
 
 Travel::Travel(const Context& context) : Part(context) {
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    const bool has = machine_.has(axis);
-    low_[i] = has ? machine_.limits(axis).travel_min - travel_rounding : -std::numeric_limits<double>::infinity();
-    high_[i] = has ? machine_.limits(axis).travel_max + travel_rounding : std::numeric_limits<double>::infinity();
+  for (const base::Axis axis : base::all_axes) set_limits(axis);
+}
+
+void Travel::set_limits(base::Axis axis) {
+  const std::size_t i = base::index(axis);
+  const bool has = machine_.has(axis) && !released_.contains(axis);
+  low_[i] = has ? machine_.limits(axis).travel_min - travel_rounding : -std::numeric_limits<double>::infinity();
+  high_[i] = has ? machine_.limits(axis).travel_max + travel_rounding : std::numeric_limits<double>::infinity();
+}
+
+void Travel::release(base::Axis one, base::Axis other) {
+  for (const base::Axis axis : {one, other}) {
+    released_.insert(axis);
+    set_limits(axis);
+    outside_.erase(axis);
   }
+}
+
+bool Travel::released_inside(base::Axis axis, double low, double high, std::uint32_t column) {
+  if (!machine_.has(axis)) return true;
+  const machine::AxisLimits& limits = machine_.limits(axis);
+  const bool below = low < limits.travel_min - travel_rounding;
+  if (!below && high <= limits.travel_max + travel_rounding) {
+    reported_outside_.erase(axis);
+    return true;
+  }
+  if (reported_outside_.contains(axis)) return reporter_.fail();
+  reported_outside_.insert(axis);
+  report_travel(axis, below ? low : high, column);
+  return false;
+}
+
+void Travel::restore() {
+  const base::AxisSet released = std::exchange(released_, {});
+  for (const base::Axis axis : base::all_axes) {
+    if (released.contains(axis)) set_limits(axis);
+  }
+  if (!released.empty()) note_outside();
 }
 
 bool Travel::lacks(base::Axis axis) {

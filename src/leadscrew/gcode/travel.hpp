@@ -32,6 +32,14 @@ class Travel : Part {
   bool fails_outside(const Block& block);
   bool all_inside() const { return outside_.empty(); }
 
+  /// Places of two axes are not looked at where they are programmed, since moves lead them elsewhere: cutter compensation.
+  void release(base::Axis one, base::Axis other);
+  /// Whether a move that leads a released axis from low to high, mm, stays inside; reports it where it does not, once until
+  /// it does.
+  bool released_inside(base::Axis axis, double low, double high, std::uint32_t column);
+  /// They are looked at again.
+  void restore();
+
   /// Makes the block fail for an axis that the machine lacks; true where that has not been said before.
   bool lacks(base::Axis axis);
 
@@ -40,6 +48,7 @@ class Travel : Part {
   const base::AxisVector& high() const { return high_; }
 
  private:
+  void set_limits(base::Axis axis);
   bool tip_end_inside(const Block& block, const base::AxisVector& target);
   bool places_inside(const Block& block, const base::AxisVector& from, const base::AxisVector& to);
   bool reach_inside(const Block& block, const AxesReach& reach);
@@ -48,6 +57,7 @@ class Travel : Part {
 
   base::AxisVector low_{};
   base::AxisVector high_{};
+  base::AxisSet released_;
   base::AxisSet outside_;           // axes whose position is outside
   base::AxisSet reported_outside_;  // those of them that have been reported
   base::AxisSet reported_lacking_;

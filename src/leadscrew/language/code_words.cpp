@@ -153,8 +153,11 @@ constexpr Row rows[] = {
     {Code::G6_5, Code::G6_5, 'K', "feed is that of 1 the place of contact, 2 the tool's tip; 2", number},
     {Code::G6_5, Code::G6_5, 'C', "how near curves are to passes; 1e-10 mm", length},
     {Code::G6_6, Code::G6_6, 'P', "how many blocks of places follow", number},
-    {Code::G41, Code::G42_1, 'D', "tool of the tool table, or its diameter (G41.1, G42.1)", length},
-    {Code::G41, Code::G42_1, 'L', "orientation of the tool, 0 to 9", number},
+    {Code::G41, Code::G42_1, 'D',
+     "tool of the tool table, without it the one in the spindle; of G41.1 and G42.1 its diameter, negative for the "
+     "other side",
+     length},
+    {Code::G41, Code::G42_1, 'L', "orientation of a lathe tool in G18, 0 to 9: 0 and 9 its middle", number},
     {Code::G43, Code::G44, 'H', "tool of the tool table; without it the one in the spindle", number},
     {Code::G43_5, Code::G43_5, 'I', tool_vector, number},
     {Code::G43_5, Code::G43_5, 'J', tool_vector, number},

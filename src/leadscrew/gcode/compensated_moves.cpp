@@ -1,0 +1,252 @@
+// The moves of the tool's middle.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <leadscrew/gcode/cutter_compensation.hpp>
+#include <leadscrew/gcode/path_length.hpp>
+#include <utility>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+constexpr std::size_t most_waiting = 1000;  // moves and events that wait for a motion in the plane
+constexpr double least_in_plane = 1e-9;     // mm; less is no motion
+
+// A block's duration is that of its programmed length (LinuxCNC).
+void set_speed(Move& move) {
+  if (move.feed.mode != Feed::Mode::per_second) return;
+  move.feed = {Feed::Mode::units_per_second, move.feed.value * path_length(move)};
+}
+
+// A helix of more than one turn is on many levels.
+bool winds(const Move& move) {
+  const std::size_t normal = base::index(normal_axis(move.plane));
+  return move.kind == Move::Kind::arc && std::abs(move.turns) > 1 && move.start[normal] != move.end[normal];
+}
+
+}  // namespace
+
+void CutterCompensation::set_in_plane(base::AxisVector& place, PlanePoint point) const {
+  place[base::index(first_axis(plane_))] = point.first;
+  place[base::index(second_axis(plane_))] = point.second;
+}
+
+double CutterCompensation::radius() const {
+  return std::fabs(aside_);
+}
+
+bool CutterCompensation::is_in_plane(const Move& move) const {
+  if (move.kind == Move::Kind::arc) return true;
+  return move.kind == Move::Kind::line &&
+         span_of(in_plane(move.start, plane_), in_plane(move.end, plane_)) > least_in_plane;
+}
+
+bool CutterCompensation::take(Move& move) {
+  if (decided_ == 0) return false;
+  move = std::move(kept_.front().move);
+  taken_ = std::move(kept_.front().place);
+  kept_.pop_front();
+  --decided_;
+  return true;
+}
+
+void CutterCompensation::add(const Move& move) {
+  Kept kept{move, reporter_.place(column_)};
+  const bool ends = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::program_end;
+  if (phase_ == Phase::leaving) return leave(std::move(kept));
+  if (phase_ == Phase::passing || phase_ == Phase::off) return decide(std::move(kept));
+  set_speed(kept.move);
+  if (ends) settle();
+  if (!is_in_plane(move)) return let_pass(std::move(kept));
+  if (phase_ == Phase::entering) return enter(std::move(kept));
+  follow(std::move(kept));
+}
+
+void CutterCompensation::decide(Kept kept) {
+  kept_.push_back(std::move(kept));
+  decided_ = kept_.size();
+}
+
+// It happens where the way before it ends, which may not be known yet.
+void CutterCompensation::let_pass(Kept kept) {
+  if (phase_ == Phase::entering && kept.move.kind == Move::Kind::line && options_.dialect == Dialect::linuxcnc)
+    return enter(std::move(kept));
+  set_in_plane(kept.move.start, at_);
+  set_in_plane(kept.move.end, at_);
+  if (!piece_) return decide(std::move(kept));
+  kept_.push_back(std::move(kept));
+  if (kept_.size() - decided_ <= most_waiting) return;
+  error("cutter-compensation", column_, "more than 1000 moves and events without motion in the plane",
+        "G40 before what does not follow the contour");
+  abandon();
+}
+
+void CutterCompensation::leave(Kept kept) {
+  if (kept.move.kind == Move::Kind::arc || kept.move.kind == Move::Kind::nurbs) {
+    error("cutter-exit", column_, "the first move behind G40 is no line",
+          "a line, which leads to where the program says");
+    phase_ = Phase::off;
+    return decide(std::move(kept));
+  }
+  if (kept.move.start != kept.move.end) set_speed(kept.move);
+  set_in_plane(kept.move.start, at_);
+  if (kept.move.kind == Move::Kind::line) {
+    phase_ = Phase::off;
+    modal_.tool_is_aside = false;
+    if (kept.move.start == kept.move.end) return;
+  } else {
+    set_in_plane(kept.move.end, at_);
+  }
+  decide(std::move(kept));
+}
+
+void CutterCompensation::enter(Kept kept) {
+  const double length = span_of(at_, in_plane(kept.move.end, plane_));
+  if (kept.move.kind != Move::Kind::line || !(length > radius())) {
+    const bool is_line = kept.move.kind == Move::Kind::line;
+    error("cutter-entry", column_,
+          is_line ? "the first move of cutter compensation is " + text(length) + " mm long, the tool's radius " +
+                        text(radius()) + " mm"
+                  : std::string("the first move of cutter compensation is an arc"),
+          "a line that is longer than the radius, by which the tool comes to the contour");
+    return abandon();
+  }
+  Move as_programmed = kept.move;
+  set_in_plane(as_programmed.start, at_);
+  piece_ = offset_of(as_programmed, aside_);
+  is_entry_ = true;
+  phase_ = Phase::on;
+  kept_.push_back(std::move(kept));
+}
+
+// Whether what waits behind the last motion leaves the tool on its level.
+bool CutterCompensation::stays_on_level() const {
+  const std::size_t normal = base::index(normal_axis(plane_));
+  return std::all_of(kept_.begin() + static_cast<std::ptrdiff_t>(decided_) + 1, kept_.end(),
+                     [&](const Kept& each) { return each.move.start[normal] == each.move.end[normal]; });
+}
+
+void CutterCompensation::follow(Kept kept) {
+  std::optional<OffsetPiece> next = offset_of(kept.move, aside_);
+  if (!next) {
+    const PlanePoint center{kept.move.center_first, kept.move.center_second};
+    error("cutter-gouge", column_,
+          "the tool, of radius " + text(radius()) + " mm, is inside of an arc of radius " +
+              text(span_of(in_plane(kept.move.start, plane_), center)) + " mm",
+          "a smaller tool or a larger arc");
+    return abandon();
+  }
+  if (!piece_) {  // behind what has been settled
+    piece_ = next;
+    kept_.push_back(std::move(kept));
+    return;
+  }
+  const bool is_level = stays_on_level() && !winds(kept_[decided_].move) && !winds(kept.move);
+  const CornerKind corner = corner_of(*piece_, *next, aside_);
+  const bool fits = join(*next, corner, is_level);
+  if (!fits) report_gouge(kept_[decided_].place, kept.place);
+  const PlanePoint from = piece_->way.end;
+  const std::optional<ContourPiece> contour =
+      fits && is_level && !is_entry_ ? std::optional(piece_->contour) : std::nullopt;
+  const KeptPlace place = kept_[decided_].place;
+  settle();
+  contour_ = contour;
+  contour_place_ = place;
+  is_entry_ = false;
+  if (corner == CornerKind::outer && fits) go_round(from, *next, kept, is_level);
+  if (!fits) connect(next->way.start, kept);
+  piece_ = next;
+  kept_.push_back(std::move(kept));
+}
+
+// Makes the way that waits end, and the next begin, where they do; false where the tool does not fit between them.
+bool CutterCompensation::join(OffsetPiece& next, CornerKind corner, bool is_level) {
+  if (corner == CornerKind::inner && !cut_inner_corner(*piece_, next)) return false;
+  if (corner == CornerKind::none && piece_->way.is_arc()) next.way.start = piece_->way.end;
+  if (corner == CornerKind::none && !piece_->way.is_arc()) piece_->way.end = next.way.start;
+  return is_entry_ || !is_level || keeps_clear(*piece_, next.contour, radius());
+}
+
+// An arc about the corner, at the feed of what follows.
+void CutterCompensation::go_round(PlanePoint from, const OffsetPiece& next, const Kept& kept, bool is_level) {
+  OffsetPiece corner{next.contour, {from, next.way.start, next.contour.start, aside_ > 0 ? -1 : 1}, 0};
+  corner.turned = sweep(from, corner.way.end, corner.way.center, corner.way.turn);
+  const auto is_near = [&](const ContourPiece& contour) { return !keeps_clear(corner, contour, radius()); };
+  if (is_level && (is_near(next.contour) || (contour_ && is_near(*contour_)))) {
+    report_gouge(contour_place_, kept.place);
+    contour_.reset();
+  }
+  Kept round{kept.move, kept.place};
+  round.move.kind = Move::Kind::arc;
+  round.move.plane = plane_;
+  round.move.end = round.move.start;
+  put(round, corner);
+  decide(std::move(round));
+}
+
+// Behind an error.
+void CutterCompensation::connect(PlanePoint to, const Kept& kept) {
+  Kept line{kept.move, kept.place};
+  line.move.kind = Move::Kind::line;
+  line.move.end = line.move.start;
+  put(line, {{}, {{}, to, {}, 0}, 0});
+  decide(std::move(line));
+}
+
+// The motion that waits ends where its way does, and all that waits with it happens there.
+void CutterCompensation::finish() {
+  put(kept_[decided_], *piece_);
+  for (std::size_t i = decided_ + 1; i < kept_.size(); ++i) {
+    set_in_plane(kept_[i].move.start, at_);
+    set_in_plane(kept_[i].move.end, at_);
+  }
+  const Move& move = kept_[decided_].move;
+  const bool stands = move.kind == Move::Kind::line && move.start == move.end;
+  if (stands) kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(decided_));
+  decided_ = kept_.size();
+  piece_.reset();
+}
+
+void CutterCompensation::settle() {
+  if (!piece_) return;
+  if (contour_ && !keeps_clear(*piece_, *contour_, radius())) report_gouge(contour_place_, kept_[decided_].place);
+  finish();
+}
+
+// From where the tool's middle is along the way of a piece.
+void CutterCompensation::put(Kept& kept, const OffsetPiece& piece) {
+  Move& move = kept.move;
+  set_in_plane(move.start, at_);
+  at_ = moved(piece.way.end);
+  set_in_plane(move.end, at_);
+  if (piece.way.is_arc()) {
+    const PlanePoint center = moved(piece.way.center);
+    move.center_first = center.first;
+    move.center_second = center.second;
+    move.turns = turns_of(piece);
+    if (move.turns == 0) move.kind = Move::Kind::line;
+  }
+  check_travel(kept);
+}
+
+void CutterCompensation::check_travel(const Kept& kept) {
+  const Move& move = kept.move;
+  PlaneBox box{in_plane(move.end, plane_), in_plane(move.end, plane_)};
+  if (move.kind == Move::Kind::arc)
+    box = arc_extent(in_plane(move.start, plane_), box.high, {move.center_first, move.center_second}, move.turns);
+  const AtKeptPlace there(reporter_, kept.place);
+  travel_.released_inside(first_axis(plane_), box.low.first, box.high.first, kept.place.column);
+  travel_.released_inside(second_axis(plane_), box.low.second, box.high.second, kept.place.column);
+}
+
+void CutterCompensation::report_gouge(const KeptPlace& one, const KeptPlace& two) {
+  const AtKeptPlace there(reporter_, two);
+  error("cutter-gouge", two.column,
+        "the tool, of radius " + text(radius()) + " mm, does not fit between the contour of line " +
+            std::to_string(base::number(one.line)) + " and that of line " + std::to_string(base::number(two.line)),
+        "a smaller tool, or a contour that it fits");
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,133 @@
+// What switches compensation on and off, and what cannot stand between; the moves are in compensated_moves.cpp.
+
+#include <cmath>
+#include <leadscrew/gcode/block_check.hpp>
+#include <leadscrew/gcode/cutter_compensation.hpp>
+
+namespace leadscrew::gcode {
+
+bool CutterCompensation::refuse(Code code, std::uint32_t column) {
+  return error("cutter-compensation", column, name(code) + " while cutter compensation is on", "G40 before it");
+}
+
+// LinuxCNC's list, 2.9; but outside its dialect, what moves carry along is changed at their place.
+bool CutterCompensation::allows_groups(const Block& block) {
+  std::uint32_t groups = bit(Group::system) | bit(Group::tool_length) | bit(Group::tool) | bit(Group::scaling) |
+                         bit(Group::rotation) | bit(Group::mirror);
+  if (options_.dialect == Dialect::linuxcnc)
+    groups |= bit(Group::path) | bit(Group::retract) | bit(Group::overrides) | bit(Group::output);
+  if (block.is(Code::M66)) groups |= bit(Group::output);
+  if (block.is(Code::M72)) groups |= bit(Group::modes);
+  if (block.is(Code::M428) || block.is(Code::M429)) groups |= bit(Group::user);
+  if (plane_after(block, modal_) != modal_.plane) groups |= bit(Group::plane);
+  if (!allows_nonmodal(block)) groups |= bit(Group::nonmodal);
+  groups |= bit(Group::cutter_radius);
+  for (std::size_t i = 0; i < index(Group::count); ++i) {
+    const Group group = static_cast<Group>(i);
+    if ((groups & bit(group)) && block.has(group)) return refuse(block.code(group), block.column_of(group));
+  }
+  return true;
+}
+
+bool CutterCompensation::allows_nonmodal(const Block& block) const {
+  switch (block.code(Group::nonmodal)) {
+    case Code::none:
+    case Code::G4:
+    case Code::G9:
+    case Code::G103:
+    case Code::G187:
+    case Code::G5_high_speed:
+    case Code::G5_1_high_speed:
+    case Code::G8_high_speed:
+      return true;
+    case Code::G10: {
+      const bool is_system = block.value_or('L', 0) == 2 || block.value_or('L', 0) == 20;
+      return !is_system || (block.value_or('P', 0) != 0 && block.value_or('P', 0) != modal_.system);
+    }
+    default:
+      return false;
+  }
+}
+
+void CutterCompensation::check(const Block& block) {
+  column_ = motion_column(block);
+  if (!is_on() || block.is(Code::G40) || !allows_groups(block)) return;
+  const Code motion = modal_.to_do;
+  if (motion != Code::none && !is_line(motion) && !is_arc(motion)) refuse(motion, motion_column(block));
+}
+
+void CutterCompensation::set(const Block& block) {
+  if (block.is(Code::G40)) return end();
+  if (is_on()) return;  // has been refused
+  column_ = motion_column(block);
+  const std::optional<double> radius = radius_.of_compensation(block);
+  if (!radius || begin(block, *radius)) return;
+  phase_ = Phase::passing;
+}
+
+// Which side is left of a mirrored program is that of the program.
+bool CutterCompensation::begin(const Block& block, double radius) {
+  const std::uint32_t column = block.column_of(Group::cutter_radius);
+  const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
+  const double scale = frame_.circle_scale(first, second);
+  if (frame_.is_tilted() || frame_.tip_control() || frame_.takes_vectors() || scale == 0) {
+    return error("cutter-compensation", column,
+                 "cutter compensation where the program's plane is none of the machine's",
+                 "no tilted plane, tool centre point control or scales that differ");
+  }
+  if (modal_.plane == Plane::YZ && options_.dialect == Dialect::linuxcnc) {
+    return error("cutter-compensation", column, "cutter compensation in plane YZ",
+                 "LinuxCNC compensates in G17 and G18 alone");
+  }
+  if (!set_origin(block, std::fabs(radius))) return false;
+  const bool is_left = block.is(Code::G41) || block.is(Code::G41_1);
+  aside_ = (is_left == (scale > 0)) ? radius : -radius;
+  modal_.cutter_side = is_left == (radius >= 0) ? Code::G41 : Code::G42;
+  modal_.is_plain = false;
+  plane_ = modal_.plane;
+  if (phase_ != Phase::leaving) at_ = in_plane(frame_.position, plane_);
+  phase_ = radius == 0 ? Phase::passing : Phase::entering;
+  if (radius != 0) travel_.release(first, second);
+  return true;
+}
+
+// LinuxCNC manual, "Lathe tool orientation": 1 to 4 are the corners, 5 to 8 the sides, 0 and 9 the middle.
+bool CutterCompensation::set_origin(const Block& block, double radius) {
+  origin_ = {};
+  if (!block.has('L')) return true;
+  const std::optional<int> orientation = as_integer(block['L']);
+  if (!orientation || *orientation < 0 || *orientation > 9) {
+    return error("bad-value", block.column_of('L'), "the orientation of the tool is " + text(block['L']),
+                 "an integer from 0 to 9");
+  }
+  if (modal_.plane != Plane::ZX) {
+    return error("cutter-compensation", block.column_of('L'), "the orientation of a lathe tool outside of plane ZX",
+                 "G18 before it, or no L");
+  }
+  constexpr int along_x[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
+  constexpr int along_z[] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
+  origin_ = {along_z[*orientation] * radius, along_x[*orientation] * radius};
+  return true;
+}
+
+void CutterCompensation::end() {
+  modal_.cutter_side = Code::G40;
+  if (!is_on()) return;
+  settle();
+  const PlanePoint programmed = in_plane(frame_.position, plane_);
+  const bool is_aside = phase_ == Phase::on && (at_.first != programmed.first || at_.second != programmed.second);
+  phase_ = is_aside ? Phase::leaving : Phase::off;
+  modal_.tool_is_aside = is_aside;
+  travel_.restore();
+  contour_.reset();
+}
+
+// What is kept back goes its way; what follows an error is read for its own errors alone.
+void CutterCompensation::abandon() {
+  settle();
+  if (is_on()) phase_ = Phase::passing;
+  if (phase_ == Phase::leaving) phase_ = Phase::off;
+  modal_.tool_is_aside = false;
+}
+
+}  // namespace leadscrew::gcode

@@ -1,0 +1,214 @@
+// Cutter compensation by hand: where the tool's middle goes, what waits with it, what is refused.
+
+#include <cmath>
+#include <sstream>
+
+#include "reading.hpp"
+
+namespace leadscrew::gcode {
+namespace test_cutter_compensation {
+
+// Ends of moves to 1e-4, and what happens between: "f10,1,0 d s100 a…". f feed, r rapid, a arc, R arc at rapid.
+std::string way(const Reading& reading) {
+  std::ostringstream out;
+  const auto round = [](double value) { return std::round(value * 1e4) / 1e4 + 0.0; };
+  for (const Move& move : reading.moves) {
+    const bool is_rapid = move.feed.mode == Feed::Mode::rapid, is_arc = move.kind == Move::Kind::arc;
+    if (move.kind == Move::Kind::dwell) out << "d ";
+    if (move.kind == Move::Kind::event && move.event.kind != base::Event::Kind::program_end)
+      out << "e" << base::number(move.line) << ' ';
+    if (move.kind != Move::Kind::line && !is_arc) continue;
+    const Point end = xyz(move.end);
+    out << (is_arc ? (is_rapid ? 'R' : 'a') : is_rapid ? 'r' : 'f') << round(end.x) << ',' << round(end.y);
+    if (end.z != 0) out << ',' << round(end.z);
+    out << ' ';
+  }
+  std::string text = out.str();
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::string way(const std::string& text, const Conditions& conditions = {}) {
+  return way(read_well("F600\n" + text + "\nM2\n", conditions));
+}
+
+std::string problems(const std::string& text, const Conditions& conditions = {}) {
+  return read("F600\n" + text + "\nM2\n", conditions).problems();
+}
+
+Conditions with_tool(double diameter, Dialect dialect = Dialect::leadscrew) {
+  Conditions conditions = in_dialect(dialect);
+  machine::Tool tool;
+  tool.number = 7;
+  tool.diameter = diameter;
+  conditions.tools = machine::ToolTable({tool});
+  return conditions;
+}
+
+TEST(CutterCompensation, GoesBesideLines) {
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nX20\nG40 Y30"), "f10,1 f20,1 f20,30");
+  EXPECT_EQ(way("G42.1 D2\nG1 X10\nX20\nG40 Y30"), "f10,-1 f20,-1 f20,30");
+  EXPECT_EQ(way("G42.1 D-2\nG1 X10\nX20\nG40 Y30"), "f10,1 f20,1 f20,30");
+}
+
+TEST(CutterCompensation, EndsWaysWhereTheyMeetAtInnerCorners) {
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nY10\nX0\nG40 Y30"), "f9,1 f9,9 f0,9 f0,30");
+  // An arc and a line, a line and an arc, two arcs: each at the same distance from both.
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nX20\nG2 X30 I5\nG40 G1 X40"), "f10,1 f19.0839,1 a31,0 f40,0");
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nY20\nG3 X0 I-5\nG1 X3\nG40 Y21"), "f9,1 f9,20 a1.127,21 f3,21");
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nG2 X20 I5\nG2 X30 I5\nG40 G1 X40"), "f9.0839,1 a20,3.3166 a31,0 f40,0");
+}
+
+TEST(CutterCompensation, GoesRoundOuterCorners) {
+  const Reading reading = read_well("F600\nG42.1 D2\nG1 X10 F300\nX20\nY10 F120\nG40 X30\nM2\n");
+  EXPECT_EQ(way(reading), "f10,-1 f20,-1 a21,0 f21,10 f30,10");
+  const std::vector<Move> arcs = reading.arcs();
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_EQ(arcs[0].center_first, 20);
+  EXPECT_EQ(arcs[0].center_second, 0);
+  EXPECT_EQ(arcs[0].turns, 1);
+  EXPECT_DOUBLE_EQ(arcs[0].feed.value, 2);
+  EXPECT_EQ(way("G42.1 D2\nG1 X10\nG0 X20\nY10\nG40 X30"), "f10,-1 r20,-1 R21,0 r21,10 r30,10");
+}
+
+TEST(CutterCompensation, KeepsArcsAboutTheirCentres) {
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nG3 X15 Y5 J5\nG1 Y10\nG40 X0"), "f10,1 a14,5 f14,10 f0,10");
+  EXPECT_EQ(way("G42.1 D2\nG1 X10\nG3 X15 Y5 J5\nG1 Y10\nG40 X0"), "f10,-1 a16,5 f16,10 f0,10");
+  const std::vector<Move> whole = read_well("F600\nG41.1 D2\nG1 X10\nG3 J5 P3 Z3\nG40 G1 X0\nM2\n").arcs();
+  ASSERT_EQ(whole.size(), 1u);
+  EXPECT_EQ(whole[0].turns, 3);
+  EXPECT_EQ(whole[0].start[0], whole[0].end[0]);
+  EXPECT_EQ(whole[0].end[2], 3);
+}
+
+// Of a helix whose end an inner corner cuts off, and of one of more turns than one.
+TEST(CutterCompensation, CutsHelicesAndKeepsTheirLevels) {
+  const Reading reading = read_well("F600\nG41.1 D2\nG1 X10\nG3 J5 P2 Z3\nG3 X10 Y10 J5 P2 Z4\nG1 Y5\nG40 X0\nM2\n");
+  const std::vector<Move> arcs = reading.arcs();
+  ASSERT_EQ(arcs.size(), 2u);
+  EXPECT_EQ(arcs[0].turns, 2);
+  EXPECT_EQ(arcs[1].turns, 2);
+  EXPECT_EQ(arcs[1].end[2], 4);
+  EXPECT_NEAR(arcs[1].end[0], 11, 1e-12);
+  EXPECT_NEAR(arcs[1].end[1], 5 + std::sqrt(15), 1e-12);
+}
+
+TEST(CutterCompensation, KeepsWhatStandsBetweenAtItsPlace) {
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nZ-1\nS100 M3\nG4 P1\nY10\nM8\nX20\nG40 X30"),
+            "f9,1 f9,1,-1 e5 e5 d f9,10,-1 e8 a10,11,-1 f20,11,-1 f30,10,-1");
+}
+
+TEST(CutterCompensation, CountsFromTheProgrammedPlace) {
+  EXPECT_EQ(way("G91 G41.1 D2\nG1 X10\nY10\nX-10\nG40 Y20"), "f9,1 f9,9 f0,9 f0,30");
+  EXPECT_EQ(way("#1=[#<_ccomp>]\nG41.1 D2\nG1 X[#1/40]\n#2=#<_ccomp>\nG40 Y[#2/41]"), "f10,1 f10,10");
+}
+
+TEST(CutterCompensation, ComesBackWithTheLineBehindG40) {
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nX20\nG40\nZ5\nX0"), "f10,1 f20,1 f20,0,5 f0,0,5");
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nX20\nG40\nM8\nG1 X20"), "f10,1 f20,1 e6 f20,0");
+  EXPECT_EQ(way("G41.1 D2\nG1 X10\nX20"), "f10,1 f20,1");
+  EXPECT_EQ(way("G41.1 D2\nG40\nG2 X10 I5"), "a10,0");
+}
+
+TEST(CutterCompensation, TakesTheRadiusOfATool) {
+  EXPECT_EQ(way("G41 D7\nG1 X10\nX20\nG40 Y30", with_tool(4)), "f10,2 f20,2 f20,30");
+  EXPECT_EQ(way("T7 M6\nG42\nG1 X10\nX20\nG40 Y30", with_tool(4)), "e2 e2 f10,-2 f20,-2 f20,30");
+  EXPECT_EQ(way("T7 M6\nG42 D0\nG1 X10\nX20\nG40 Y30", with_tool(4)), "e2 e2 f10,-2 f20,-2 f20,30");
+  EXPECT_EQ(way("G20 G41.1 D0.1\nG1 X1\nX2\nG40 Y1"), "f25.4,1.27 f50.8,1.27 f50.8,25.4");
+  // D0 of Fanuc's family is no radius; a D without a code before is that of the next.
+  EXPECT_EQ(way("G41 D0\nG1 X10.\nX20.\nG40 Y30.", with_tool(4, Dialect::fanuc)), "f10,0 f20,0 f20,30");
+  EXPECT_EQ(way("G0 Z5. D7\nG41\nG1 X10.\nX20.\nG40 Y30.", with_tool(4, Dialect::haas)),
+            "r0,0,5 f10,2,5 f20,2,5 f20,30,5");
+  EXPECT_EQ(problems("G41 D8\nG1 X10", with_tool(4)), "2:5 unknown-tool; ");
+  EXPECT_EQ(problems("G41 D1\nG1 X10"), "2:5 no-tool-table; ");
+  EXPECT_EQ(problems("G41 D1.5\nG1 X10", with_tool(4)), "2:5 bad-value; ");
+  EXPECT_EQ(problems("G41.1\nG1 X10"), "2:1 missing-word; ");
+}
+
+TEST(CutterCompensation, WorksInEveryPlane) {
+  const auto ends = [](const std::string& text) { return read_well("F600\n" + text + "\nM2\n").lines(); };
+  const std::vector<Move> zx = ends("G18 G41.1 D2\nG1 Z10\nZ20\nG40 X5");
+  EXPECT_EQ(xyz(zx[1].end), (Point{1, 0, 20}));
+  const std::vector<Move> yz = ends("G19 G41.1 D2\nG1 Y10\nY20\nG40 Z5");
+  EXPECT_EQ(xyz(yz[1].end), (Point{0, 20, 1}));
+  EXPECT_EQ(problems("G19 G41.1 D2\nG1 Y10", in_dialect(Dialect::linuxcnc)), "2:5 cutter-compensation; ");
+  // Orientation 2 of a lathe tool: its radius is at more X and more Z than the place that is programmed.
+  const std::vector<Move> lathe = ends("G18 G41.1 D2 L2\nG1 Z10\nZ20\nG40 X5");
+  EXPECT_EQ(xyz(lathe[1].end), (Point{0, 0, 19}));
+  EXPECT_EQ(problems("G41.1 D2 L2\nG1 X10"), "2:10 cutter-compensation; ");
+  EXPECT_EQ(problems("G18 G41.1 D2 L10\nG1 X10"), "2:14 bad-value; ");
+}
+
+TEST(CutterCompensation, IsOnTheProgramsSideWhereItIsTurnedOrMirrored) {
+  EXPECT_EQ(way("G68 X0 Y0 R90\nG41.1 D2\nG1 X10\nX20\nG40 Y30"), "f-1,10 f-1,20 f-30,20");
+  EXPECT_EQ(way("G51.1 X0\nG41.1 D2\nG1 X10\nX20\nG40 Y30"), "f-10,1 f-20,1 f-20,30");
+  EXPECT_EQ(problems("G51 X0 Y0 I2 J3 K1\nG41.1 D2\nG1 X10"), "3:1 cutter-compensation; ");
+}
+
+TEST(CutterCompensation, KeepsTheDurationOfAProgrammedBlock) {
+  const std::vector<Move> lines = read_well("G93 G41.1 D2\nG1 X10 F6\nX20 F3\nY10 F6\nG40 X30 F6\nM2\n").lines();
+  ASSERT_EQ(lines.size(), 4u);
+  EXPECT_EQ(lines[1].feed.mode, Feed::Mode::units_per_second);
+  EXPECT_DOUBLE_EQ(lines[1].feed.value, 0.5);
+  EXPECT_DOUBLE_EQ(lines[2].feed.value, 1);
+}
+
+TEST(CutterCompensation, RefusesWhatTheToolDoesNotFitInto) {
+  const Reading reading = read("F600\nG41.1 D4\nG1 X10\nX30\nY10\nX29\nY0\nG40 X0\nM2\n");
+  EXPECT_EQ(reading.problems(), "6:1 cutter-gouge; 7:1 cutter-gouge; ");
+  EXPECT_NE(reading.diagnostics[0].message.find("line 5 and that of line 6"), std::string::npos);
+  // An arc of the tool's radius from inside, one beyond it, a step that is lower than the radius.
+  EXPECT_EQ(problems("G41.1 D10\nG1 X10\nG3 X10 Y10 J5\nG40 G1 X0"), "4:1 cutter-gouge; ");
+  EXPECT_EQ(problems("G41.1 D9.8\nG1 X10\nG3 X10 Y10 J5\nG40 G1 X0"), "");
+  EXPECT_EQ(problems("G41.1 D4\nG1 X10\nX20\nY1\nX30\nG40 Y9"), "5:1 cutter-gouge; ");
+}
+
+// On different levels neighbours do not hinder one another.
+TEST(CutterCompensation, LooksForGougesOnOneLevel) {
+  const std::string begin = "G42.1 D2\nG1 X10\nX30\n", end = "G3 X22 Y-2.4721 I-5 J2\nG40 G1 Y-30";
+  EXPECT_EQ(problems(begin + end), "5:1 cutter-gouge; ");
+  EXPECT_EQ(problems(begin + "Z5\n" + end), "");
+}
+
+TEST(CutterCompensation, BeginsWithALineThatIsLongEnough) {
+  EXPECT_EQ(problems("G41.1 D20\nG1 X10\nX20"), "3:1 cutter-entry; ");
+  EXPECT_EQ(problems("G41.1 D2\nG2 X10 I5\nG1 X20"), "3:1 cutter-entry; ");
+  EXPECT_EQ(problems("G41.1 D2\nG1 Z5\nX20\nX30\nG40 Y9"), "");
+  EXPECT_EQ(problems("G41.1 D2\nG1 Z5\nX20", in_dialect(Dialect::linuxcnc)), "3:1 cutter-entry; ");
+  EXPECT_EQ(problems("G41.1 D2\nG1 X10\nX20\nG40\nG2 X30 I5"), "6:1 cutter-exit; ");
+}
+
+TEST(CutterCompensation, RefusesWhatCannotStandBetween) {
+  const auto between = [](const std::string& block, Dialect dialect = Dialect::leadscrew) {
+    return problems("G41.1 D2\nG1 X10\nX20\n" + block + "\nG40\nG1 X30", in_dialect(dialect));
+  };
+  const std::string refused = "5:1 cutter-compensation; ";
+  for (const char* const block : {"G18", "G55", "G49", "G43.1 Z1", "T1 M6", "G41.1 D2", "G28", "G28.1", "G92 X0",
+                                  "G52 X1", "G38.3 X25", "G5.1 X25 Y1 I2 J2", "G81 X25 Z-1 R1", "G33 Z-5 K1",
+                                  "M66 P0 L0", "G10 L2 P1 X1", "G68 X0 Y0 R30", "G51 X0 Y0 P2"}) {
+    const std::string found = between(block);
+    EXPECT_NE(found.find("cutter-compensation"), std::string::npos) << block << ": " << found;
+  }
+  for (const char* const block : {"G61", "G98", "M48", "M62 P0"}) {
+    EXPECT_EQ(between(block), "") << block;
+    EXPECT_EQ(between(block, Dialect::linuxcnc), refused) << block;
+  }
+  for (const char* const block : {"G17", "G20", "G91", "M0", "G4 P1", "F100", "M8", "G10 L2 P2 X1", "T1", "G95 S100"})
+    EXPECT_EQ(between(block).find("cutter-compensation"), std::string::npos) << block;
+}
+
+TEST(CutterCompensation, JudgesTheTravelOfTheToolsMiddle) {
+  EXPECT_EQ(problems("G41.1 D2\nG1 Y500 X0\nX10\nG40 Y0"), "4:1 travel; ");
+  EXPECT_EQ(problems("G42.1 D4\nG1 Y501\nX10\nG40 Y0"), "");
+  EXPECT_EQ(problems("G41.1 D2\nG1 Y10\nY501\nG40 Y0"), "4:1 travel; ");
+}
+
+// What waits is bounded.
+TEST(CutterCompensation, DoesNotWaitForEver) {
+  std::string text = "G41.1 D2\nG1 X10\n";
+  for (int i = 0; i < 1001; ++i) text += i % 2 ? "Z1\n" : "Z0.5\n";
+  EXPECT_EQ(problems(text + "X20\nG40 Y9"), "1003:1 cutter-compensation; ");
+}
+
+}  // namespace test_cutter_compensation
+}  // namespace leadscrew::gcode
