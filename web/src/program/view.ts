@@ -29,6 +29,7 @@ export class PathView {
   private colouring: Colouring = "speed";
   private tool: StandingTool | undefined;
   private frame = 0;
+  private readonly firstView = { azimuth: views.iso.azimuth, elevation: views.iso.elevation };
   private isPathStale = false;
   /** All of the path is in the picture, whatever its size. */
   private isFitted = true;
@@ -51,9 +52,10 @@ export class PathView {
     new ResizeObserver(() => this.resize()).observe(this.element);
   }
 
-  /** From where it is seen: turned by degrees, and, where that is not all of it, so many mm across around a place. */
+  /** From where it is seen: turned by degrees, and, where that is not all of it, so many mm across around a place. Empty: as at first. */
   get seen(): string {
     const { azimuth, elevation, target, scale } = this.camera;
+    if (this.isFitted && azimuth === views.iso.azimuth && elevation === views.iso.elevation) return "";
     const near = this.isFitted ? [] : [...target, this.element.clientWidth / scale];
     return [azimuth, elevation, ...near].map((each) => Number(each.toPrecision(7))).join("_");
   }
@@ -61,8 +63,8 @@ export class PathView {
   /** The same again; what is none leaves it as it is. */
   see(text: string): void {
     const [azimuth = NaN, elevation = NaN, x, y, z, across] = text.split("_").map(Number);
-    if (text !== "" && Number.isFinite(azimuth) && Math.abs(elevation) <= 90)
-      Object.assign(this.camera, { azimuth, elevation });
+    const isView = text !== "" && Number.isFinite(azimuth) && Math.abs(elevation) <= 90;
+    Object.assign(this.camera, isView ? { azimuth, elevation } : this.firstView);
     this.fit();
     if (x === undefined || y === undefined || z === undefined || across === undefined) return;
     if (![x, y, z].every(Number.isFinite) || !(across > 0)) return;

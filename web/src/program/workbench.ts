@@ -196,7 +196,8 @@ export class Workbench implements Mode {
   private openText(name: string, text: string): void {
     this.settings.name = name;
     this.settings.text = text;
-    Object.assign(this.settings, { time: 0, seen: "", stretch: undefined });
+    const turned = this.settings.seen.split("_").slice(0, 2).join("_");
+    Object.assign(this.settings, { time: 0, seen: turned, stretch: undefined });
     this.isNewText = true;
     this.editor.set(text);
     void this.planning.run();
