@@ -40,17 +40,11 @@ export async function write(page, text, name = "own.ngc") {
   return await planned(page);
 }
 
-/** The window is so wide, and the path drawn for it. */
+/** The window is so wide. A canvas that was never in it is none in a picture of the whole page: the path is looked at. */
 export async function resized(page, width) {
-  const pictures = Number(await page.getAttribute("#space", "data-pictures"));
-  const isOther = page.viewportSize().width !== width;
   await page.setViewportSize({ width, height: 900 });
-  if (isOther)
-    await page.waitForFunction(
-      (before) => Number(document.querySelector("#space").dataset.pictures) > before,
-      pictures,
-    );
-  await page.waitForTimeout(300);
+  await page.evaluate(() => document.querySelector("#space").scrollIntoView());
+  await page.waitForTimeout(600);
 }
 
 export async function downloaded(page, id) {
