@@ -180,7 +180,7 @@ base::Result<std::string> read_whole(const std::string& path, std::int64_t large
   return all_of(file->source(), file->size(), path);
 }
 
-base::Result<std::string> all_of(base::ByteSource source, std::int64_t size, const std::string& name) {
+base::Result<std::string> all_of(const base::ByteSource& source, std::int64_t size, const std::string& name) {
   std::string text(static_cast<std::size_t>(size), '\0');
   for (std::size_t filled = 0; filled < text.size();) {
     const auto got = source(std::span(text).subspan(filled));

@@ -83,6 +83,6 @@ class InputFile {
 base::Result<std::string> read_whole(const std::string& path, std::int64_t largest);
 
 /// So many bytes of the source of a file with this name. Errors: those of the source; `io-read` where it ends before.
-base::Result<std::string> all_of(base::ByteSource source, std::int64_t size, const std::string& name);
+base::Result<std::string> all_of(const base::ByteSource& source, std::int64_t size, const std::string& name);
 
 }  // namespace leadscrew::files
