@@ -3,21 +3,16 @@
 
 #include <cmath>
 #include <leadscrew/numeric/double_double.hpp>
+#include <quad.hpp>
 
 // Quadruple precision (113 bits) by the compiler's own arithmetic is the judge.
 
 namespace test_double_double {
 
 using leadscrew::numeric::DoubleDouble;
-using Quad = __float128;
-
-Quad quad(DoubleDouble x) {
-  return static_cast<Quad>(x.hi) + static_cast<Quad>(x.lo);
-}
-
-Quad magnitude(Quad x) {
-  return x < 0 ? -x : x;
-}
+using testing_support::magnitude;
+using testing_support::Quad;
+using testing_support::quad;
 
 rc::Gen<double> numbers() {
   return rc::gen::map(rc::gen::pair(rc::gen::inRange<std::int64_t>(-(1LL << 53), 1LL << 53), rc::gen::inRange(-90, 30)),

@@ -6,6 +6,7 @@
 #include <leadscrew/numeric/compensated.hpp>
 #include <leadscrew/numeric/elementary.hpp>
 #include <leadscrew/numeric/sine.hpp>
+#include <quad.hpp>
 
 // Judged by series and continued fractions of their own in quadruple precision (113 bits), and by identities.
 
@@ -16,15 +17,9 @@ using leadscrew::numeric::DoubleDouble;
 using leadscrew::numeric::Jet;
 using leadscrew::numeric::SinePair;
 using leadscrew::numeric::sines_of_degrees;
-using Quad = __float128;
-
-Quad quad(DoubleDouble x) {
-  return static_cast<Quad>(x.hi) + static_cast<Quad>(x.lo);
-}
-
-Quad magnitude(Quad x) {
-  return x < 0 ? -x : x;
-}
+using testing_support::magnitude;
+using testing_support::Quad;
+using testing_support::quad;
 
 /// By halving the angle twelve times, ten terms of the series of 1 − cos, and doubling: 1 − cos 2x = 2(1 − cos x)(1 + cos x).
 struct QuadSines {
