@@ -46,6 +46,11 @@ class SlowWriter {
 
   const machine::Machine machine = machine::mill3();
   std::vector<base::Word> words;
+  /// realtime::Planning::quiet_to_begin, enough_to_begin.
+  void begin_by(double quiet, double enough) {
+    planning_.quiet_to_begin = quiet;
+    planning_.enough_to_begin = enough;
+  }
 
  private:
   void take_in() {
@@ -140,6 +145,20 @@ TEST(Drought, BeginsWithTwoSecondsOfMotion) {
   EXPECT_GE(begin, 2.0 / 5);
   EXPECT_LE(begin, 0.7);  // what is planned is less than what is known
   EXPECT_EQ(writer.stop_tails(), 0);
+}
+
+TEST(Drought, BeginsByWhatItsPlanningSays) {
+  Lines lines(200, 0.01);
+  SlowWriter soon(lines.coming, true);
+  soon.begin_by(0.1, 0.5);
+  soon.run(60);
+  const auto begin = static_cast<double>(motions_of(soon.words).at(0).first);
+  EXPECT_GE(begin, 100);
+  EXPECT_LE(begin, 300);
+  SlowWriter patient({{0.05, host::line({100}, feed)}}, false);
+  patient.begin_by(0.3, 2);
+  patient.run(10);
+  EXPECT_NEAR(static_cast<double>(motions_of(patient.words).at(0).first), 350, 3);
 }
 
 TEST(Drought, OfOneMoveIsOverInATenthOfASecond) {

@@ -45,7 +45,8 @@ double Feeder::held_back() const {
 /// False where it must go on waiting.
 bool Feeder::wait_for_moves(const Drought& drought) {
   ahead_before_.reset();  // it is not the planner that is slow
-  const bool waits = in_motion_ ? controller_.seconds_ahead() >= least_in_motion : drought.quiet < planning_.quiet_to_begin;
+  const bool waits =
+      in_motion_ ? controller_.seconds_ahead() >= least_in_motion : drought.quiet < planning_.quiet_to_begin;
   if (!drought.is_open || waits) return false;
   planning_.end_for_now();
   return true;
