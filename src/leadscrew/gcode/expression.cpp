@@ -252,6 +252,13 @@ bool ExpressionReader::numbered(int number, const char* begin, double& value) {
     }
     return refuse_macro_number(number, begin);
   }
+  const int axis = number - Parameters::current_position;
+  const bool is_place = 0 <= axis && axis < static_cast<int>(base::axis_count);
+  if (is_place && predefined_.modal().cutter_side != Code::G40) {
+    return reporter_.error("cutter-compensation", reporter_.column(begin),
+                           "#" + std::to_string(number) + " is read while cutter compensation is on",
+                           "G40 before it: where the tool goes depends on what follows");
+  }
   const std::optional<double> predefined = predefined_.get(number);
   if (!predefined && !parameters_.has(number)) return never_set(number, begin, value);
   value = predefined ? *predefined : parameters_.value_or(number, 0);

@@ -15,6 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double least_way_radius = 1e-6;  // mm
 constexpr double way_rounding = 1e-9;      // mm
 constexpr double reversal = 1e-6;          // radians
+constexpr double least_depth = 2e-7;       // mm; by as much a line may be off where it goes on in an arc
 
 PlanePoint shifted(PlanePoint point, PlanePoint along, double by) {
   return {point.first + by * along.first, point.second + by * along.second};
@@ -85,8 +86,11 @@ std::optional<OffsetPiece> offset_of(const Move& move, double aside) {
 // Where the contour comes back along itself, as along both sides of a sheet, the tool is between the two where the second
 // bends to its side of the first.
 CornerKind corner_of(const OffsetPiece& one, const OffsetPiece& two, double aside) {
-  if (span_of(one.way.end, two.way.start) <= joined) return CornerKind::none;
-  const PlanePoint before = heading(one.contour, one.contour.end), behind = heading(two.contour, two.contour.start);
+  // Where a line is shifted along itself by the gap, it is off by gap²/2r.
+  const double gap = span_of(one.way.end, two.way.start);
+  const bool has_line = !one.way.is_arc() || !two.way.is_arc();
+  if (gap <= joined || (has_line && gap * gap <= 2 * std::fabs(aside) * least_depth)) return CornerKind::none;
+  const PlanePoint before = heading(one.contour, one.way.end), behind = heading(two.contour, two.way.start);
   const double sine = before.first * behind.second - before.second * behind.first;
   const double cosine = before.first * behind.first + before.second * behind.second;
   if (cosine < 0 && std::fabs(sine) < reversal) {

@@ -32,7 +32,7 @@ struct OffsetPiece {
 std::optional<OffsetPiece> offset_of(const Move& move, double aside);
 
 enum class CornerKind : std::uint8_t {
-  none,   ///< the ways meet as they are
+  none,   ///< the ways meet, but for a rounding that a line between them can make good
   inner,  ///< the tool touches both pieces before it is at the corner
   outer,  ///< the tool goes round the corner
 };
