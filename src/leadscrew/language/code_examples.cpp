@@ -116,7 +116,7 @@ constexpr Example examples[] = {
     {Code::G41, "G41 D1\nG1 X20 F600\nY20\nX0\nG40 Y-10"},
     {Code::G41_1, "G18 G41.1 D0.8 L2\nG1 X20 F600\nZ-20\nG40 X30"},
     {Code::G42, "G42 D1\nG1 X20 F600\nY-20\nX0\nG40 Y10"},
-    {Code::G42_1, "G42.1 D3\nG1 X20 F600\nG2 X30 Y-10 J-10\nG40 X40"},
+    {Code::G42_1, "G42.1 D3\nG1 X20 F600\nG2 X30 Y-10 J-10\nG40 G1 X40"},
     {Code::G43, "T1 M6\nG43 H1\nG0 Z5"},
     {Code::G43_1, "G43.1 Z50"},
     {Code::G43_2, "G43 H1\nG43.2 H1"},
