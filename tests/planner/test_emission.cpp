@@ -5,7 +5,9 @@
 #include <leadscrew/planner/emission.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
 #include <leadscrew/planner/proof.hpp>
+#include <memory>
 #include <random_numbers.hpp>
+#include <trunnion.hpp>
 
 #include "random_section.hpp"
 
@@ -17,15 +19,15 @@ using namespace leadscrew;
 using testing_support::any;
 using testing_support::logarithmic;
 
-/// A cubic B-spline: its third derivative jumps at every knot.
-planner::Section cubic_spline() {
+/// A cubic B-spline of so many coordinates: its third derivative jumps at every knot.
+planner::Section cubic_spline(std::size_t coordinates = 3) {
   geometry::NurbsForm form;
   form.degree = 3;
   const int points = any(6, 12);
   for (int k = 0; k < points; ++k) {
     geometry::Point point{};
     point[0] = 5 * k;
-    for (const std::size_t i : {1, 2}) point[i] = any(-500, 501) / 100.0;
+    for (std::size_t i = 1; i < coordinates; ++i) point[i] = any(-500, 501) / 100.0;
     form.points.push_back(point);
     form.weights.push_back(1);
   }
@@ -35,10 +37,18 @@ planner::Section cubic_spline() {
   return section;
 }
 
-/// Two places seen at once are what each is alone, on either side of a knot.
+/// A transformation of a table that tilts and turns, or none.
+std::shared_ptr<const kinematics::Transformation> any_transformation() {
+  if (any(0, 2) == 0) return nullptr;
+  const kinematics::Vector tool = {any(-20, 21) / 10.0, 0, any(0, 1000) / 10.0};
+  return std::make_shared<const kinematics::Transformation>(kinematics::chain_of(testing_support::trunnion()), tool);
+}
+
+/// Two places seen at once are what each is alone, to the last bit, on either side of a knot.
 RC_GTEST_PROP(SeenPlaces, AreTwoPlaces, ()) {
-  const planner::Section section = cubic_spline();
-  const toolpath::Piece& piece = section.piece(0);
+  toolpath::Piece piece = cubic_spline(any(3, 6)).piece(0);
+  piece.transformation = any_transformation();
+  if (piece.transformation && any(0, 2) == 0) piece.feed_axes = toolpath::FeedAxes::xyz;
   const std::span<const double> breaks = piece.axes().breaks();
   const double first = breaks.empty() ? 0 : breaks[0], second = piece.axes().length() * any(0, 1001) / 1000.0;
   for (const planner::Side side : {planner::Side::left, planner::Side::right}) {

@@ -39,6 +39,16 @@ using Angles = std::array<T, 2>;
 
 namespace detail {
 
+/// The number as any scalar.
+template <typename T>
+T constant(double value) {
+  if constexpr (std::is_same_v<T, numeric::Jet<3, numeric::Pair>>) {
+    return numeric::all<numeric::Pair>(value);
+  } else {
+    return T(value);
+  }
+}
+
 template <typename T>
 T scaled(const T& value, double factor) {
   return value * factor;
@@ -56,7 +66,7 @@ void add(T& value, double constant) {
 }
 template <std::size_t N, typename T>
 void add(numeric::Jet<N, T>& value, double constant) {
-  value[0] = value[0] + T(constant);
+  value[0] = value[0] + numeric::all<T>(constant);
 }
 
 template <typename T>
@@ -120,10 +130,10 @@ numeric::SinePair<T> backwards(const numeric::SinePair<T>& sines) {
 template <typename T>
 Vector3<T> head_offset(const Chain& chain, const std::array<numeric::SinePair<T>, 2>& sines, const Vector& tool) {
   const Vector& zero = chain.tool_zero();
-  if (chain.table_count() == 2) return {T(-tool[0]), T(-tool[1]), T(-tool[2])};
-  Vector3<T> tip = {T(zero[0] - tool[0]), T(zero[1] - tool[1]), T(zero[2] - tool[2])};
+  if (chain.table_count() == 2) return {constant<T>(-tool[0]), constant<T>(-tool[1]), constant<T>(-tool[2])};
+  Vector3<T> tip = {constant<T>(zero[0] - tool[0]), constant<T>(zero[1] - tool[1]), constant<T>(zero[2] - tool[2])};
   for (std::size_t i = 2; i-- > chain.table_count();) rotate_about(tip, chain.turns()[i], sines[i]);
-  for (std::size_t i = 0; i < 3; ++i) tip[i] = tip[i] - T(zero[i]);
+  for (std::size_t i = 0; i < 3; ++i) tip[i] = tip[i] - constant<T>(zero[i]);
   return tip;
 }
 
@@ -194,6 +204,8 @@ Vector3<T> in_machine(const Chain& chain, const Angles<T>& degrees, Vector3<T> v
 extern template Coordinates<double> machine_of(const Chain&, const Coordinates<double>&, const Vector&);
 extern template Coordinates<double> pose_of(const Chain&, const Coordinates<double>&, const Vector&);
 extern template Coordinates<numeric::Jet<>> machine_of(const Chain&, const Coordinates<numeric::Jet<>>&, const Vector&);
+extern template Coordinates<numeric::Jet<3, numeric::Pair>> machine_of(
+    const Chain&, const Coordinates<numeric::Jet<3, numeric::Pair>>&, const Vector&);
 extern template Coordinates<numeric::Jet<>> pose_of(const Chain&, const Coordinates<numeric::Jet<>>&, const Vector&);
 
 }  // namespace leadscrew::kinematics

@@ -39,6 +39,11 @@ DoubleDouble atan2(DoubleDouble y, DoubleDouble x);
 
 /// Of an angle in degrees, |angle| ≤ 2⁴⁰. Errors are below one unit in the last place; quarter turns are exact.
 SinePair<double> sines_of_degrees(double angle);
+inline SinePair<Pair> sines_of_degrees(Pair angles) {
+  const auto [s, c] = sines_of_degrees(angles[0]);
+  const auto [t, d] = sines_of_degrees(angles[1]);
+  return {Pair{s, t}, Pair{c, d}};
+}
 /// Of an angle in degrees, |angle| ≤ 2⁴⁰. Errors are below 2⁻¹⁰⁰; quarter turns are exact.
 SinePair<DoubleDouble> sines_of_degrees(DoubleDouble angle);
 
@@ -48,7 +53,7 @@ SinePair<Jet<N, T>> sines_of_degrees(const Jet<N, T>& angle) {
   const auto [s, c] = sines_of_degrees(angle[0]);
   Jet<N, T> radians;
   for (std::size_t k = 1; k <= N; ++k) {
-    if constexpr (std::is_same_v<T, double>) {
+    if constexpr (std::is_same_v<T, double> || std::is_same_v<T, Pair>) {
       radians[k] = angle[k] * radians_of_degree.hi;
     } else {
       radians[k] = angle[k] * T(radians_of_degree);

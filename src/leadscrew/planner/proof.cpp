@@ -144,9 +144,9 @@ class SegmentProof {
       const std::size_t on = piece_of(at.s[0]), then_on = piece_of(at.s[1]);
       const Side side = k == 0 ? Side::right : Side::left;
       const double offset = section_.offset(on);
-      const SeenPlaces seen = on == then_on
-                                  ? seen_places(section_.piece(on), at.s[0] - offset, side, at.s[1] - offset, Side::left)
-                                  : side_by_side(see(on, at.s[0], side), see(then_on, at.s[1], Side::left));
+      const SeenPlaces seen =
+          on == then_on ? seen_places(section_.piece(on), at.s[0] - offset, side, at.s[1] - offset, Side::left)
+                        : side_by_side(see(on, at.s[0], side), see(then_on, at.s[1], Side::left));
       peaks.look(constraints_, seen.at_feed(feed_factor_), rates(at),
                  turns(seen.jet) ? numeric::all<Pair>(between_looks) : numeric::all<Pair>(1));
     }
@@ -187,7 +187,7 @@ class SegmentProof {
   const Section& section_;
   const Constraints& constraints_;
   double feed_factor_;
-  double begin_, end_;       // of the segment, on the section
+  double begin_, end_;        // of the segment, on the section
   std::size_t first_, last_;  // pieces
   base::AxisSet moving_;
   Pair fastest_{}, slowest_ = numeric::all<Pair>(infinity);

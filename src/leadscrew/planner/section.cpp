@@ -67,14 +67,24 @@ SeenPlaces side_by_side(const SeenPlace& first, const SeenPlace& second) {
 }
 
 SeenPlaces seen_places(const toolpath::Piece& piece, double first, Side first_side, double second, Side second_side) {
+  using numeric::Pair;
+  using toolpath::FeedAxes;
   const auto* const nurbs = std::get_if<geometry::Nurbs>(&piece.curve);
-  if (piece.transformation || !nurbs || piece.feed_axes != toolpath::FeedAxes::none) {
+  if (!nurbs || (!piece.transformation && piece.feed_axes != FeedAxes::none)) {
     return side_by_side(seen_place_without_chords(piece, first, first_side),
                         seen_place_without_chords(piece, second, second_side));
   }
   const double length = nurbs->length();
-  return {nurbs->jets(numeric::Pair{aside_of(length, first, first_side), aside_of(length, second, second_side)}),
-          numeric::all<numeric::Pair>(piece.feed)};
+  const Pair places = {aside_of(length, first, first_side), aside_of(length, second, second_side)};
+  const Pair feed = numeric::all<Pair>(piece.feed);
+  if (!piece.transformation) return {nurbs->jets(places), feed};
+  const geometry::PointJetOf<Pair> path = nurbs->jets(places);
+  SeenPlaces seen{piece.transformation->axes_of(path), feed};
+  if (piece.feed_axes == FeedAxes::contact)
+    seen.speed /= Pair{piece.feed_rate(first), piece.feed_rate(second)};
+  else if (piece.feed_axes != FeedAxes::none)
+    seen.speed /= toolpath::rate(path, piece.feed_axes);
+  return seen;
 }
 
 numeric::PairBits turns(const geometry::PointJetOf<numeric::Pair>& jet) {

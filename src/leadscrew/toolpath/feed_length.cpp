@@ -140,6 +140,13 @@ double rate(const geometry::PointJet& jet, FeedAxes axes) {
   return numeric::hypot(jet[first].first, jet[first + 1].first, jet[first + 2].first);
 }
 
+numeric::Pair rate(const geometry::PointJetOf<numeric::Pair>& jet, FeedAxes axes) {
+  if (axes == FeedAxes::none) return numeric::all<numeric::Pair>(1);
+  const std::size_t first = first_of(axes);
+  const numeric::Pair x = jet[first].first, y = jet[first + 1].first, z = jet[first + 2].first;
+  return numeric::Pair{numeric::hypot(x[0], y[0], z[0]), numeric::hypot(x[1], y[1], z[1])};
+}
+
 double rate(const geometry::Curve& curve, double s, FeedAxes axes) {
   if (axes == FeedAxes::none) return 1;
   const auto [x, y, z] = geometry::rates(curve, s, first_of(axes));

@@ -41,6 +41,7 @@ enum class FeedAxes : std::uint8_t { none, xyz, uvw, abc, contact };
 
 /// |dq/ds| of these axes alone, units of theirs per unit of the curve's length; 1 for none. Not of the contact.
 double rate(const geometry::PointJet& jet, FeedAxes axes);
+numeric::Pair rate(const geometry::PointJetOf<numeric::Pair>& jet, FeedAxes axes);
 /// The same along a curve at 0 ≤ s ≤ its length, to the last bit, without what feed does not ask for. For the cycle.
 double rate(const geometry::Curve& curve, double s, FeedAxes axes);
 
