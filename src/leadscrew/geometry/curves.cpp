@@ -1,5 +1,6 @@
 #include <cmath>
 #include <leadscrew/geometry/curve.hpp>
+#include <leadscrew/geometry/nurbs_table.hpp>
 #include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/numeric/sine.hpp>
 
@@ -51,6 +52,28 @@ void Arc::append_shape(std::vector<double>& numbers) const {
   numbers.insert(numbers.end(), {static_cast<double>(first_), static_cast<double>(second_), x_.hi.value, y_.hi.value,
                                  radius_, length_, angle_rate(), defect_first_, defect_second_});
   slopes_.append_shape(numbers);
+}
+
+void Nurbs::append_shape(std::vector<double>& numbers) const {
+  const NurbsTable& table = *table_;
+  numbers.insert(numbers.end(), {length_, static_cast<double>(record_count_), static_cast<double>(break_count_),
+                                 static_cast<double>(table.degree), static_cast<double>(table.rational)});
+  numbers.push_back(static_cast<double>(table.moving_count));
+  numbers.insert(numbers.end(), table.moving.begin(), table.moving.begin() + table.moving_count);
+  const auto breaks = table.breaks.begin() + first_break_;
+  numbers.insert(numbers.end(), breaks, breaks + break_count_);
+  for (std::uint32_t index = first_record_; index < first_record_ + record_count_; ++index) {
+    const double* const record = table.record(index);
+    numbers.push_back(table.nodes[index]);
+    numbers.insert(numbers.end(), record + NurbsTable::s_low, record + NurbsTable::parameter);
+    const double* polynomials = record + NurbsTable::polynomials;
+    if (table.rational) {
+      numbers.insert(numbers.end(), polynomials, polynomials + table.degree);
+      polynomials += table.degree;
+    }
+    for (std::size_t k = 0; k < table.moving_count; ++k, polynomials += table.degree + 2)
+      numbers.insert(numbers.end(), polynomials + 1, polynomials + table.degree + 2);  // all but the origin
+  }
 }
 
 void append_shape(const Curve& curve, std::vector<double>& numbers) {

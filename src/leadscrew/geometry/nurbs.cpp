@@ -311,28 +311,6 @@ std::span<const double> Nurbs::breaks() const {
   return first < last ? std::span(first, last) : std::span<const double>();
 }
 
-void Nurbs::append_shape(std::vector<double>& numbers) const {
-  const NurbsTable& table = *table_;
-  numbers.insert(numbers.end(), {length_, static_cast<double>(record_count_), static_cast<double>(break_count_),
-                                 static_cast<double>(table.degree), static_cast<double>(table.rational)});
-  numbers.push_back(static_cast<double>(table.moving_count));
-  numbers.insert(numbers.end(), table.moving.begin(), table.moving.begin() + table.moving_count);
-  const auto breaks = table.breaks.begin() + first_break_;
-  numbers.insert(numbers.end(), breaks, breaks + break_count_);
-  for (std::uint32_t index = first_record_; index < first_record_ + record_count_; ++index) {
-    const double* const record = table.record(index);
-    numbers.push_back(table.nodes[index]);
-    numbers.insert(numbers.end(), record + NurbsTable::s_low, record + NurbsTable::parameter);
-    const double* polynomials = record + NurbsTable::polynomials;
-    if (table.rational) {
-      numbers.insert(numbers.end(), polynomials, polynomials + table.degree);
-      polynomials += table.degree;
-    }
-    for (std::size_t k = 0; k < table.moving_count; ++k, polynomials += table.degree + 2)
-      numbers.insert(numbers.end(), polynomials + 1, polynomials + table.degree + 2);  // all but the origin
-  }
-}
-
 Nurbs Nurbs::part(double from, double to) const {
   if (from == 0 && to == length_) return *this;
   const auto table = std::make_shared<NurbsTable>();
