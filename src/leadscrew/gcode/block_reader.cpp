@@ -231,7 +231,7 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
 // Haas: G150 has G41 or G42 beside it, which say the side of its contour.
 void BlockReader::set_side(Block& block) {
   if (!block.is(Code::G150)) return;
-  block.user_code = block.is(Code::G41) ? 41 : block.is(Code::G42) ? 42 : 0;
+  block.user_code = static_cast<std::int16_t>(block.is(Code::G41) ? 41 : block.is(Code::G42) ? 42 : 0);
   block.groups &= ~bit(Group::cutter_radius);
 }
 
