@@ -45,6 +45,7 @@ struct PathStateOf {
   T acceleration{};  ///< units/s²
   T jerk{};          ///< units/s³
 };
+/// At one time.
 using PathState = PathStateOf<double>;
 /// At τ, seconds.
 PathState evaluate(const Segment& segment, double tau);
