@@ -83,6 +83,11 @@ TEST(Campaign, KeepsEveryPromiseOverATurnOfKinds) {
     EXPECT_EQ(judge(chosen_case(1, number)).broken, "") << number;
 }
 
+// Once not kept: a path that ends with a kink which words do not show; a corner of the tip that motion rests at between two words.
+TEST(Campaign, KeepsWhatOnceWasBroken) {
+  for (const std::int64_t number : {56337, 378413}) EXPECT_EQ(judge(chosen_case(1, number)).broken, "") << number;
+}
+
 TEST(Campaign, LeavesOfABrokenProgramWhatBreaksIt) {
   Case given = case_of(1, 0, Size::small);
   given.text = "G21 G90 F600\n";

@@ -35,7 +35,7 @@ struct Section {
         is_of_tip(spaces.space().is_of_tip),
         source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric),
         matcher(source, metric, cancellation, is_of_tip),
-        allowance(metric, period.seconds(), is_of_tip),
+        allowance(metric, period.seconds()),
         feed(metric, period),
         ripple(period),
         stops(metric, period.seconds(), is_of_tip) {}
@@ -60,6 +60,7 @@ class Referee::Implementation {
         period_(period),
         spaces_(std::move(moves)),
         cancellation_(std::move(cancelled)),
+        tip_allowance_(machine, pose_, period.seconds()),
         derivatives_(machine, period) {}
 
   void observe(const base::AxisVector& position, std::optional<double> planned_feed) {
@@ -160,21 +161,34 @@ class Referee::Implementation {
     if (!section_->has_rested) return false;
     // Held a little before the end it may yet go on.
     const bool stays = here == point(position_) && before > section_->source.end_tolerance() + nanometre + beside;
-    return !stays && !section_->matcher.leads_on(here, SamplingAllowance(section_->allowance).observe(here));
+    Section& section = *section_;
+    const double allowed = section.is_of_tip ? tip_allowance() : SamplingAllowance(section.allowance).observe(here);
+    return !stays && !section.matcher.leads_on(here, allowed);
   }
 
   void observe_finite(const base::AxisVector& position, std::optional<double> planned_feed) {
     if (words_ == 0) {
+      position_ = word_ = position;
       spaces_.begin_next();
       begin_section();
       observe_first(position);
     } else {
+      word_ = position;
       while (ends_before(position)) change_space();
       observe_next(position, planned_feed);
     }
     derivatives_.observe(position, line_);
+    before_ = words_ == 0 ? position : position_;
     position_ = position;
     ++words_;
+  }
+
+  double tip_allowance() const {
+    return tip_allowance_.of(before_, position_, word_, section_->metric, spaces_.space().tool);
+  }
+  /// For the chord from the place before to this one, which is a word or a place that motion passes before it.
+  double allowance_to(const Point& place) {
+    return section_->is_of_tip ? tip_allowance() : section_->allowance.observe(place);
   }
 
   void begin_section() { section_.emplace(spaces_, machine_, period_, cancellation_); }
@@ -183,7 +197,7 @@ class Referee::Implementation {
   void change_space() {
     const Point end = section_->source.end();
     if (section_->source.any_move()) {
-      account(section_->matcher.observe(end, section_->allowance.observe(end)), section_->metric.position(end));
+      account(section_->matcher.observe(end, allowance_to(end)), section_->metric.position(end));
     }
     conclude_section();
     spaces_.begin_next();
@@ -208,7 +222,7 @@ class Referee::Implementation {
 
   void observe_next(const base::AxisVector& position, std::optional<double> planned_feed) {
     const Point place = point(position);
-    observe_passage(position, section_->matcher.observe(place, section_->allowance.observe(place)), planned_feed);
+    observe_passage(position, section_->matcher.observe(place, allowance_to(place)), planned_feed);
   }
 
   /// Of the tip and of the tool's direction apart: both hang on a place in one metric, so that the match is one.
@@ -257,12 +271,13 @@ class Referee::Implementation {
   base::Period period_;
   Spaces spaces_;
   Cancellation cancellation_;
+  TipAllowance tip_allowance_;
   std::optional<Section> section_;
   DerivativeCheck derivatives_;
   ViolationLog log_;
   Verdict verdict_;
   std::int64_t words_ = 0;
-  base::AxisVector position_{};
+  base::AxisVector before_{}, position_{}, word_{};  ///< the last words, and the one that is observed
   base::Line line_{};
   double block_feed_ = 0;
   std::array<double, 3> tool_{};
