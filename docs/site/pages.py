@@ -97,7 +97,7 @@ def assemble(command, xml, pages):
     shutil.rmtree(pages, ignore_errors=True)
     docs = pages / "docs"
     shutil.copytree(root / "docs", docs, ignore=shutil.ignore_patterns("__pycache__"))
-    for folder in ("examples", "src", "include", "bench", "hdl", "machines", "embedded", "script"):
+    for folder in ("examples", "src", "include", "bench", "hdl", "machines", "embedded", "integrations", "python", "script"):
         (pages / folder).symlink_to(root / folder)
     shutil.copy(root / "LICENSE", pages)
     for path in docs.rglob("*.md"):
