@@ -17,8 +17,8 @@ double TipAllowance::of(const base::AxisVector& before, const base::AxisVector& 
   // Of how much farther than in the middle a way that turns evenly is off elsewhere.
   constexpr double beside_middle = 1.25;
   constexpr double least_turn = 1e-6;  // degrees, whose effect is no rounding
-  const base::AxisVector off_axes = metric_.position(
-      departures(metric_, period_, metric_.point(before), metric_.point(last), metric_.point(word)));
+  const base::AxisVector off_axes =
+      metric_.position(departures(metric_, period_, metric_.point(before), metric_.point(last), metric_.point(word)));
   base::AxisVector middle{}, between{};
   const base::AxisVector from = pose_.tip_of(last, tool), to = pose_.tip_of(word, tool);
   for (std::size_t i = 0; i < middle.size(); ++i) {
@@ -26,8 +26,7 @@ double TipAllowance::of(const base::AxisVector& before, const base::AxisVector& 
     between[i] = (from[i] + to[i]) / 2;
   }
   const base::AxisVector tip = pose_.tip_of(middle, tool);
-  double off = std::hypot(off_axes[0], off_axes[1], off_axes[2]) +
-               beside_middle * distance_of_tips(tip, between);
+  double off = std::hypot(off_axes[0], off_axes[1], off_axes[2]) + beside_middle * distance_of_tips(tip, between);
   double turned = 0;
   for (std::size_t i = 3; i < middle.size(); ++i) {
     if (!(off_axes[i] > 0)) continue;
