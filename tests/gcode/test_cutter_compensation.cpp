@@ -168,6 +168,7 @@ TEST(CutterCompensation, LooksForGougesOnOneLevel) {
   const std::string begin = "G42.1 D2\nG1 X10\nX30\n", end = "G3 X22 Y-2.4721 I-5 J2\nG40 G1 Y-30";
   EXPECT_EQ(problems(begin + end), "5:1 cutter-gouge; ");
   EXPECT_EQ(problems(begin + "Z5\n" + end), "");
+  EXPECT_EQ(problems(begin + "Z5\nZ0\n" + end), "7:1 cutter-gouge; ");
 }
 
 TEST(CutterCompensation, BeginsWithALineThatIsLongEnough) {

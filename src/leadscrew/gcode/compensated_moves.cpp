@@ -121,11 +121,10 @@ void CutterCompensation::enter(Kept kept) {
   kept_.push_back(std::move(kept));
 }
 
-// Whether what waits behind the last motion leaves the tool on its level.
-bool CutterCompensation::stays_on_level() const {
+// Whether the next motion begins on the level where the last one ends, whatever lies between.
+bool CutterCompensation::stays_on_level(const Move& next) const {
   const std::size_t normal = base::index(normal_axis(plane_));
-  return std::all_of(kept_.begin() + static_cast<std::ptrdiff_t>(decided_) + 1, kept_.end(),
-                     [&](const Kept& each) { return each.move.start[normal] == each.move.end[normal]; });
+  return kept_[decided_].move.end[normal] == next.start[normal];
 }
 
 void CutterCompensation::follow(Kept kept) {
@@ -143,7 +142,7 @@ void CutterCompensation::follow(Kept kept) {
     kept_.push_back(std::move(kept));
     return;
   }
-  const bool is_level = stays_on_level() && !winds(kept_[decided_].move) && !winds(kept.move);
+  const bool is_level = stays_on_level(kept.move) && !winds(kept_[decided_].move) && !winds(kept.move);
   const CornerKind corner = corner_of(*piece_, *next, aside_);
   const bool fits = join(*next, corner, is_level);
   if (!fits) report_gouge(kept_[decided_].place, kept.place);

@@ -80,7 +80,7 @@ class CutterCompensation : Part {
   void connect(PlanePoint to, const Kept& kept);
   void decide(Kept kept);
   void finish();
-  bool stays_on_level() const;
+  bool stays_on_level(const Move& next) const;
   void put(Kept& kept, const OffsetPiece& piece);
   void check_travel(const Kept& kept);
   void report_gouge(const KeptPlace& one, const KeptPlace& two);
