@@ -221,8 +221,9 @@ void TimeBound::add_squares(const Knot& begin, const Knot& end, Interval& interv
   }
 }
 
-/// Where what is placed ends.
+/// Where what is placed ends; nothing is where all before was without length.
 void TimeBound::slow_down_to(double speed) {
+  if (waiting_.empty()) return;
   double& x_end_max = waiting_.back().x_end_max;
   x_end_max = std::min(x_end_max, speed * speed);
 }

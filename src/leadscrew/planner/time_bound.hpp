@@ -17,8 +17,8 @@
 //   forward   x_{i+1} = the greatest x at knot i+1 that can be reached from x ≤ x_i, at most K_{i+1}
 //
 // Where an axis turns back, q′ = 0, only the curve asks something of it, |q″|x ≤ a (a zero-inertia point: Pfeiffer & Johanni,
-// 1987): there is a knot at each. Over a kink too small for words to show motion goes on (greatest_speed_over_kink).  Time is that of the fastest way between the two speeds. On lines that is exact with one
-// interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it. Between
+// 1987): there is a knot at each. A kink of the path is passed at the greatest speed at which words do not show it
+// (greatest_speed_over_kink). Time is that of the fastest way between the two speeds. On lines that is exact with one interval; curves are cut finely enough for 1e-4 of the time, more finely where motion comes from rest or goes to it. Between
 // two knots x is taken along a chord, which on curves makes the bound up to 2e-5 of itself higher than the least time.
 
 #include <array>
