@@ -352,6 +352,28 @@ TEST(Butterfly, HasSecondAndThirdDerivativesOfTheCurveItself) {
   }
 }
 
+TEST(Butterfly, TellsByHowMuchTheThirdDerivativeStepsWhereItsTableDoes) {
+  const Nurbs piece = smooth_pieces(butterfly()).at(0);
+  const std::size_t count = piece.map_borders(0, piece.length());
+  ASSERT_EQ(count, piece.map_pieces() - 1);
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Nurbs::Border border = piece.map_border(0, k);
+    const auto breaks = piece.breaks();
+    if (std::ranges::any_of(breaks, [&](double at) { return std::abs(at - border.s) < 1e-9; })) continue;
+    const PointJet before = piece.jets(std::nextafter(border.s, 0)), behind = piece.jets(border.s);
+    const double step = std::hypot(behind[0].third - before[0].third, behind[1].third - before[1].third);
+    EXPECT_NEAR(border.step, step, 1e-6 * (step + std::hypot(behind[0].third, behind[1].third))) << border.s;
+    ++compared;
+  }
+  EXPECT_GT(compared, count / 2);
+  const double end = piece.length() / 2;
+  const std::size_t within = piece.map_borders(end / 2, end);
+  EXPECT_GT(piece.map_border(end / 2, 0).s, end / 2);
+  EXPECT_LE(piece.map_border(end / 2, within - 1).s, end);
+  EXPECT_GT(piece.map_border(end / 2, within).s, end);
+}
+
 TEST(NurbsInTheCycle, AllocatesNothing) {
   const Curve curve = smooth_pieces(butterfly()).at(0);
   const std::int64_t before = testing_support::allocations();

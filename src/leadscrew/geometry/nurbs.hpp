@@ -99,6 +99,13 @@ class Nurbs {
   std::size_t map_pieces() const { return record_count_; }
   /// Borders of them from one arc length to another, 0 ≤ from ≤ to ≤ length: there q‴ bends.
   std::size_t map_borders(double from, double to) const { return record_at(to) - record_at(from); }
+  /// A border: where it is, and by how much q‴ steps there, as a multiple of q′ (1/mm²), which is what the table's
+  /// tolerance leaves. A step that the curve itself has there, one of breaks(), may count in it or not.
+  struct Border {
+    double s = 0, step = 0;
+  };
+  /// The first behind an arc length, if index is 0, and so on; index < map_borders(from, to).
+  Border map_border(double from, std::size_t index) const;
 
  private:
   friend class NurbsAssembly;

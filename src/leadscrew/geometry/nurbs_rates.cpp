@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <leadscrew/geometry/nurbs.hpp>
 #include <leadscrew/geometry/nurbs_table.hpp>
 
@@ -46,6 +47,17 @@ Rates Nurbs::rates(double s, std::size_t first) const {
     rates[i] = q.slope * x_rate;
   }
   return rates;
+}
+
+/// q‴ = C′x‴ + … with C′ = q′/x′, and x′ and x″ are those of the curve on both sides.
+Nurbs::Border Nurbs::map_border(double from, std::size_t index) const {
+  const std::size_t behind = record_at(from) + 1 + index;
+  const double* const left = table_->record(behind - 1) + NurbsTable::map;
+  const double* const right = table_->record(behind) + NurbsTable::map;
+  const double h = table_->nodes[behind] - table_->nodes[behind - 1];
+  const double left_first = left[0] + h * (2 * left[1] + h * (3 * left[2] + h * (4 * left[3] + h * 5 * left[4])));
+  const double left_third = 6 * left[2] + h * (24 * left[3] + h * 60 * left[4]);
+  return {table_->nodes[behind], std::abs(6 * right[2] / right[0] - left_third / left_first)};
 }
 
 }  // namespace leadscrew::geometry

@@ -117,10 +117,10 @@ class SegmentProof {
     const std::size_t borders = section_.borders(begin_, end_);
     look_along(std::max(looks, looks_at_polynomials(borders + 1)));
     look_at_joints();
+    if (borders > 0 && borders <= most_borders) look_at_tables();
     const machine::Derivatives greatest = ratios_.by_derivative();
-    const bool has_table = section_.piece(first_).axes().has_table() || section_.piece(last_).axes().has_table();
-    const double on_curves = borders > most_borders ? dense_steps : has_table ? map_steps : 1;
-    const double rows = std::max(greatest.acceleration, greatest.jerk * on_curves) * between_looks;
+    const double unseen = borders > most_borders ? dense_steps : 1;
+    const double rows = std::max(greatest.acceleration, greatest.jerk * unseen) * between_looks;
     constexpr double rounding = 1e-9;
     const bool turns_back = std::min(slowest_[0], slowest_[1]) < -rounding * std::max(fastest_[0], fastest_[1]);
     return {greatest.velocity, turns_back ? std::max(turning_back, rows) : rows, turns_back};
@@ -176,6 +176,31 @@ class SegmentProof {
       for (const double s : section_.piece(p).axes().breaks(begin_ - offset, end_ - offset))
         look_on_both_sides(offset + s, p, p);
     }
+  }
+  /// Where pieces of a table of arc length meet, if the step of jerk there may exceed a limit.
+  void look_at_tables() {
+    const double allowed = allowed_step();
+    for (std::size_t p = first_; p <= last_; ++p) {
+      const double offset = section_.offset(p);
+      const toolpath::AxisPath axes = section_.piece(p).axes();
+      const double from = std::max(begin_ - offset, 0.0), to = std::min(end_ - offset, axes.length());
+      if (from >= to) continue;
+      axes.each_table_border(from, to, [&](const geometry::Nurbs::Border& border) {
+        if (!(border.step <= allowed)) look_on_both_sides(offset + border.s, p, p);
+      });
+    }
+  }
+  /// Of q‴, as a multiple of q′: by so much |q̇|·ṡ²/j of each axis is below what is left of its jerk.
+  double allowed_step() const {
+    const double speed = std::max(fastest_[0], fastest_[1]);
+    double least = infinity;
+    for (const base::Axis axis : base::all_axes) {
+      if (!moving_.contains(axis)) continue;
+      const machine::Derivatives seen = ratios_.of_axis(axis), limits = constraints_.of_axis(axis);
+      const double by_step = seen.velocity * limits.velocity * speed * speed / limits.jerk;
+      least = std::min(least, (1 / between_looks - seen.jerk) / by_step);
+    }
+    return least;
   }
   void look_on_both_sides(double s, std::size_t before_it, std::size_t behind_it) {
     const PathState at = evaluate(segment_, time_at(segment_, s));

@@ -179,8 +179,8 @@ inline constexpr std::size_t few_polynomials = 8;  // of a segment, that are loo
 inline constexpr int looks_per_more = 2;           // of those beyond
 inline constexpr std::size_t most_borders = 600;   // that are looked at so closely
 inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
-inline constexpr double map_steps = 1 + 1e-4;      // of jerk, where pieces of a curve's table of arc length meet
-inline constexpr double dense_steps = 1 + 1e-3;    // where there are so many that not all are looked at: at a cusp
+inline constexpr double dense_steps =
+    1 + 1e-3;  // of jerk, where there are so many that not all are looked at: at a cusp
 }  // namespace proof
 
 /// The bound of the time without jerk. Finer: nearer to the closed forms and published times of test_time_bound.

@@ -44,8 +44,14 @@ class AxisPath {
   std::size_t borders(double from, double to) const;
   /// Axes that may move somewhere on the path; derivatives of the others are 0.
   base::AxisSet moving() const;
-  /// Are derivatives those of a table of arc length, exact only to its tolerance?
-  bool has_table() const { return std::holds_alternative<geometry::Nurbs>(curve_); }
+  /// Calls visit(Nurbs::Border) for every border of a table of arc length from one path length to another, 0 ≤ from ≤ to ≤
+  /// length; its step is one of the axes' derivatives, too, under a transformation.
+  template <typename Visit>
+  void each_table_border(double from, double to, const Visit& visit) const {
+    const geometry::Nurbs* const nurbs = std::get_if<geometry::Nurbs>(&curve_);
+    const std::size_t count = nurbs ? nurbs->map_borders(from, to) : 0;
+    for (std::size_t k = 0; k < count; ++k) visit(nurbs->map_border(from, k));
+  }
 
   /// Where every axis goes straight, or two of them round a circle at constant rate and the others straight; else none.
   /// For closed forms.
