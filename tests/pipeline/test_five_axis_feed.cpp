@@ -65,20 +65,37 @@ std::vector<double> binding_places(const std::string& text, const machine::Machi
   return places;
 }
 
-constexpr std::size_t half = 50;  // words
+/// Words in which the speed at one would rise from rest, each axis by its acceleration.
+std::size_t rise(const std::vector<base::Word>& words, std::size_t k, const machine::Machine& machine) {
+  const double period = machine.period.seconds();
+  double longest = 0;
+  for (const base::Axis axis : base::all_axes) {
+    if (!machine.has(axis)) continue;
+    const double way = words[k].position[base::index(axis)] - words[k - 1].position[base::index(axis)];
+    longest = std::max(longest, std::abs(way) / (machine.limits(axis).acceleration * period * period));
+  }
+  return static_cast<std::size_t>(longest);
+}
+
+/// A word, and how many on both sides of it are on its block and bound by nothing.
+struct UnboundWord {
+  const base::Word* word = nullptr;
+  std::size_t beside = 0;
+};
 
 /// In the middle of tenths of a second on one block in which no axis is near a limit, nor would be at the programmed feed: longer
-/// than any change between limits takes.
-std::vector<const base::Word*> unbound_words(const std::vector<base::Word>& words, const std::vector<double>& binding,
-                                             const machine::Machine& machine) {
-  std::vector<const base::Word*> unbound;
+/// than any change between limits takes, which is some of the 34 intervals between knots while speed rises from rest.
+std::vector<UnboundWord> unbound_words(const std::vector<base::Word>& words, const std::vector<double>& binding,
+                                       const machine::Machine& machine) {
+  std::vector<UnboundWord> unbound;
   std::size_t free_for = 0;
   for (std::size_t k = 3; k < words.size(); ++k) {
     const bool goes_on = words[k].line == words[k - 1].line && words[k].state != base::MotionState::rest;
     free_for = goes_on && !is_bound(words, k, machine) ? free_for + 1 : 0;
+    const std::size_t half = 50 + rise(words, k, machine) / 4;
     if (free_for < 2 * half) continue;
     const auto next = std::ranges::lower_bound(binding, words[k - 2 * half + 1].path_length);
-    if (next == binding.end() || *next > words[k].path_length) unbound.push_back(&words[k - half]);
+    if (next == binding.end() || *next > words[k].path_length) unbound.push_back({&words[k - half], half});
   }
   return unbound;
 }
@@ -120,10 +137,10 @@ double distance(const gcode::Move& line, const base::Word& word, const referee::
 
 /// Beside a line there is a blend or a fit, whose feed is between those of what it joins; where one joins degrees to millimetres
 /// it has a feed of its own.
-bool is_on(const gcode::Move& move, const base::Word* word, const referee::Pose& pose) {
+bool is_on(const gcode::Move& move, const UnboundWord& at, const referee::Pose& pose) {
   if (move.path_mode != gcode::PathMode::blend) return true;
   if (move.kind != gcode::Move::Kind::line) return false;
-  return std::max(distance(move, *(word - half), pose), distance(move, *(word + half), pose)) <= 1e-9;
+  return std::max(distance(move, *(at.word - at.beside), pose), distance(move, *(at.word + at.beside), pose)) <= 1e-9;
 }
 
 /// Chords between words may be as coarse as they like.
@@ -136,9 +153,10 @@ RC_GTEST_PROP(FiveAxes, KeepTheFeedWhereNoLimitBinds, ()) {
   const referee::Pose pose(machine);
   const std::vector<base::Word> words = words_of(text, machine);
   int judged = 0;
-  for (const base::Word* word : unbound_words(words, binding_places(text, machine), machine)) {
+  for (const UnboundWord& at : unbound_words(words, binding_places(text, machine), machine)) {
+    const base::Word* const word = at.word;
     const auto line = lines.find(word->line);
-    if (line == lines.end() || line->second.feed == 0 || !is_on(line->second.move, word, pose)) continue;
+    if (line == lines.end() || line->second.feed == 0 || !is_on(line->second.move, at, pose)) continue;
     ++judged;
     const double least = (1 - 1e-3) * line->second.feed;
     if (word->feed < least)

@@ -37,6 +37,8 @@ class Peak {
     if (numeric::any(numeric::between(last_, values) > 0.74)) {
       const double peak = std::max(vertex(last_[0], last_[1], values[0]), vertex(last_[1], values[0], values[1]));
       greatest_[0] = peak > greatest_[0] ? peak : greatest_[0];
+      const double third_difference = values[1] - last_[0] - 3 * (values[0] - last_[1]);
+      possible_ = std::max(possible_, peak + of_third_difference * std::abs(third_difference));
     }
     last_ = values;
   }
@@ -44,10 +46,15 @@ class Peak {
     const double greatest = std::max(greatest_[0], greatest_[1]);
     return std::isnan(greatest_[0] + greatest_[1]) ? infinity : greatest;
   }
+  /// By how much a cubic through four values may lie above the parabolas counts, too.
+  double possible() const { return possible_; }
 
  private:
+  static constexpr double of_third_difference = 0.0642;  // the greatest |u(u² − 1)/6|, |u| ≤ 1
+
   Pair last_ = {nan, nan};  ///< before the first there is none: no parabola
   Pair greatest_{};
+  double possible_ = 0;
 };
 
 /// Of every limit by itself: where one takes over from another, the greater of both has a kink, whose peak no parabola
@@ -78,6 +85,11 @@ class Peaks {
     LimitRatios greatest = jumping_;
     for (std::size_t i = 0; i < LimitRatios::size; ++i) greatest[i] = std::max(greatest[i], peaks_[i].greatest());
     return greatest;
+  }
+  /// May one exceed its limit, though none does by what was seen?
+  bool is_unsure() const {
+    const auto possible = [](const Peak& peak) { return peak.possible() > 1; };
+    return std::ranges::any_of(peaks_, possible) && greatest().greatest() <= 1;
   }
 
  private:
@@ -115,7 +127,8 @@ class SegmentProof {
 
   Ratios ratios(int looks) {
     const std::size_t borders = section_.borders(begin_, end_);
-    look_along(std::max(looks, looks_at_polynomials(borders + 1)));
+    looks = std::max(looks, looks_at_polynomials(borders + 1));
+    if (look_along(looks)) look_along(2 * looks);
     look_at_joints();
     if (borders > 0 && borders <= most_borders) look_at_tables();
     const machine::Derivatives greatest = ratios_.by_derivative();
@@ -127,9 +140,10 @@ class SegmentProof {
   }
 
  private:
-  /// Two by two, from the segment's beginning to its end.
-  void look_along(int looks) {
+  /// Two by two, from the segment's beginning to its end. Returns whether looks lie too far apart to be sure.
+  bool look_along(int looks) {
     looks += 1 - looks % 2;
+    acceleration_ = times_ = Pair{};
     Peaks peaks(moving_);
     const double duration = segment_.duration.value();
     std::size_t piece = first_;
@@ -151,6 +165,7 @@ class SegmentProof {
                  turns(seen.jet) ? numeric::all<Pair>(between_looks) : numeric::all<Pair>(1));
     }
     ratios_ = peaks.greatest();
+    return peaks.is_unsure();
   }
   void see_speeds(const PathStateOf<Pair>& at, Pair times) {
     fastest_ = at.speed > fastest_ ? at.speed : fastest_;
