@@ -189,6 +189,23 @@ RC_GTEST_PROP(Knots, OfAWindowGoOnWhereTheOneBeforeLeftThem, ()) {
   RC_ASSERT(second.s.back() == whole - second.end_ramp || second.s.size() == next.kept.size());
 }
 
+/// What is there may come to rest, by knots that lie ever closer; in a cruise far wider ones would do behind them.
+TEST(Knots, GrowApartBehindThoseThatAreThere) {
+  machine::Machine machine = machine::mill3();
+  const Section section = section_of({line_piece({}, {100}, 1)});
+  PlannedRange range;
+  range.starts_at_rest = false;
+  for (double to_rest = 1; to_rest > 1e-4; to_rest *= 0.9) range.kept.push_back(20 - to_rest);
+  range.kept_breaks.assign(range.kept.size(), false);
+  range.begin = range.kept.front();
+  range.end = 100;
+  const Knots knots = place_knots(section, machine, range, plenty);
+  increase(knots);
+  const std::size_t kept = range.kept.size();
+  ASSERT_GT(knots.s.size(), kept + 20);
+  for (std::size_t k = kept - 1; k < kept + 20; ++k) EXPECT_LT(width(knots, k), 1.4 * width(knots, k - 1)) << k - kept;
+}
+
 TEST(Knots, AreFewInACruise) {
   // A hundred times the length of a ramp: 40 intervals up, 40 down and not 4000 between them.
   machine::Machine machine = machine::mill3();

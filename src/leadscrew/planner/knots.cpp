@@ -212,8 +212,10 @@ class Placement {
         }
         const double cut = std::min(
             {longest_cut, most_widths * cruise_width(previous, previous.greatest), most_widths * previous.h_curve});
-        const bool is_last = previous.s + 1.001 * cut >= to || previous.s + cut <= previous.s;
-        const Sample next = at(is_last ? to : previous.s + cut, Side::left);
+        // One at the joint: from there on knots lie as close as those before it.
+        const double stop = previous.s < joint && joint < to ? joint : to;
+        const bool is_last = previous.s + 1.001 * cut >= stop || previous.s + cut <= previous.s;
+        const Sample next = at(is_last ? stop : previous.s + cut, Side::left);
         std::size_t i = samples_.size() - 1;
         bisect(previous, next, 0);
         samples_.push_back(next);
