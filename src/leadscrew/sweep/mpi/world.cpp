@@ -9,12 +9,13 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdlib>
 #include <leadscrew/sweep/world.hpp>
+#include <limits>
 #include <mutex>
-#include <numeric>
 #include <optional>
 #include <stop_token>
 #include <thread>
@@ -28,7 +29,14 @@ using Clock = std::chrono::steady_clock;
 
 constexpr microseconds shortest_sleep{20}, longest_sleep{5000};
 constexpr microseconds between_services{200};  // by the thread of rank 0: some 1 % of a processor
-constexpr std::chrono::milliseconds time_of_trial{50};
+constexpr std::chrono::milliseconds time_of_trial{100};
+
+// MPI counts in int: what is larger goes in pieces. Tests have a smaller one.
+#ifndef LEADSCREW_LARGEST_MESSAGE
+#define LEADSCREW_LARGEST_MESSAGE (1 << 30)
+#endif
+constexpr std::size_t largest_message = LEADSCREW_LARGEST_MESSAGE;  // bytes
+static_assert(largest_message > 0 && largest_message <= std::numeric_limits<int>::max());
 
 class MpiWorld final : public World {
  public:
@@ -47,7 +55,8 @@ class MpiWorld final : public World {
       service_.emplace([this](const std::stop_token& stop) { serve(stop); });
   }
   ~MpiWorld() override {
-    broadcast({});  // until all have done their tasks
+    if (is_aborted_) return;  // while it ends
+    broadcast({});            // until all have done their tasks
     service_.reset();
     MPI_Win_unlock_all(window_);
     MPI_Win_free(&window_);
@@ -65,10 +74,8 @@ class MpiWorld final : public World {
     auto bytes = static_cast<unsigned long long>(of_first.size());
     finish([&](MPI_Request* request) { MPI_Ibcast(&bytes, 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD, request); });
     of_first.resize(bytes);
-    // MPI counts in int.
-    constexpr std::size_t most = 1 << 30;
-    for (std::size_t at = 0; at < of_first.size(); at += most) {
-      const auto count = static_cast<int>(of_first.size() - at < most ? of_first.size() - at : most);
+    for (std::size_t at = 0; at < of_first.size(); at += largest_message) {
+      const auto count = static_cast<int>(std::min(largest_message, of_first.size() - at));
       finish(
           [&](MPI_Request* request) { MPI_Ibcast(of_first.data() + at, count, MPI_CHAR, 0, MPI_COMM_WORLD, request); });
     }
@@ -76,30 +83,64 @@ class MpiWorld final : public World {
   }
 
   std::vector<std::string> gather(const std::string& part) override {
-    const auto bytes = static_cast<int>(part.size());
-    std::vector<int> counts(static_cast<std::size_t>(size_)), places(static_cast<std::size_t>(size_));
-    finish([&](MPI_Request* request) {
-      MPI_Igather(&bytes, 1, MPI_INT, counts.data(), 1, MPI_INT, 0, MPI_COMM_WORLD, request);
-    });
-    std::exclusive_scan(counts.begin(), counts.end(), places.begin(), 0);
-    std::string all(rank_ == 0 ? static_cast<std::size_t>(places.back() + counts.back()) : 0, '\0');
-    finish([&](MPI_Request* request) {
-      MPI_Igatherv(part.data(), bytes, MPI_CHAR, all.data(), counts.data(), places.data(), MPI_CHAR, 0, MPI_COMM_WORLD,
-                   request);
-    });
-    std::vector<std::string> parts;
-    for (std::size_t k = 0; rank_ == 0 && k < counts.size(); ++k)
-      parts.push_back(all.substr(static_cast<std::size_t>(places[k]), static_cast<std::size_t>(counts[k])));
+    const std::vector<Size> sizes = gather_sizes(part.size());
+    std::vector<std::string> parts(sizes.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) parts[k].reserve(sizes[k]);
+    const auto largest = static_cast<std::size_t>(largest_of_all(part.size()));
+    // As much of each as all together fit into a message.
+    const std::size_t piece = std::max<std::size_t>(1, largest_message / static_cast<std::size_t>(size_));
+    for (std::size_t at = 0; at < largest; at += piece) gather_pieces(part, sizes, at, piece, parts);
     return parts;
   }
 
   void abort(int status) override {
+    service_.reset();  // one thread at a time calls MPI, here too
+    is_aborted_ = true;
     MPI_Abort(MPI_COMM_WORLD, status);
     std::abort();
   }
 
  private:
+  using Size = unsigned long long;
   enum Counter : int { of_claims, of_trial };
+
+  /// Of rank 0: of each rank; of the others empty.
+  std::vector<Size> gather_sizes(Size own) {
+    std::vector<Size> sizes(rank_ == 0 ? static_cast<std::size_t>(size_) : 0);
+    finish([&](MPI_Request* request) {
+      MPI_Igather(&own, 1, MPI_UNSIGNED_LONG_LONG, sizes.data(), 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD, request);
+    });
+    return sizes;
+  }
+  Size largest_of_all(Size own) {
+    Size largest = 0;
+    finish([&](MPI_Request* request) {
+      MPI_Iallreduce(&own, &largest, 1, MPI_UNSIGNED_LONG_LONG, MPI_MAX, MPI_COMM_WORLD, request);
+    });
+    return largest;
+  }
+  /// Adds to the parts, of rank 0, what each rank has from this place on, as much as a piece.
+  void gather_pieces(const std::string& own, const std::vector<Size>& sizes, std::size_t at, std::size_t piece,
+                     std::vector<std::string>& parts) {
+    const auto bytes_here = [&](Size size) {
+      return static_cast<int>(std::min<Size>(piece, size - std::min<Size>(at, size)));
+    };
+    std::vector<int> counts, places;
+    int total = 0;
+    for (const Size size : sizes) {
+      places.push_back(total);
+      counts.push_back(bytes_here(size));
+      total += counts.back();
+    }
+    std::string all(static_cast<std::size_t>(total), '\0');
+    const int count = bytes_here(own.size());
+    finish([&](MPI_Request* request) {
+      MPI_Igatherv(own.data() + (own.size() < at ? own.size() : at), count, MPI_CHAR, all.data(), counts.data(),
+                   places.data(), MPI_CHAR, 0, MPI_COMM_WORLD, request);
+    });
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      parts[k].append(all, static_cast<std::size_t>(places[k]), static_cast<std::size_t>(counts[k]));
+  }
 
   /// Begins what MPI does meanwhile, and sleeps until it is done.
   template <typename Begin>
@@ -126,14 +167,17 @@ class MpiWorld final : public World {
     return before;
   }
 
-  /// Does what another rank adds reach memory of rank 0 while that is outside MPI? Of the other ranks always true.
+  /// Does what each of the other ranks adds reach memory of rank 0 while that is outside MPI? Some of them may be on its
+  /// computer, others not. Of the other ranks always true.
   bool is_served_alone() {
-    if (rank_ == size_ - 1) fetch(of_trial, MPI_SUM, 1);
-    if (rank_ > 0 || size_ == 1) return true;
+    if (rank_ > 0) {
+      fetch(of_trial, MPI_SUM, 1);
+      return true;
+    }
     const auto deadline = Clock::now() + time_of_trial;
     const std::atomic_ref<std::int64_t> trial(counters_[of_trial]);
-    while (trial == 0 && Clock::now() < deadline) std::this_thread::sleep_for(shortest_sleep);
-    return trial != 0;
+    while (trial < size_ - 1 && Clock::now() < deadline) std::this_thread::sleep_for(shortest_sleep);
+    return trial == size_ - 1;
   }
 
   void serve(const std::stop_token& stop) {
@@ -152,6 +196,7 @@ class MpiWorld final : public World {
   std::int64_t* counters_ = nullptr;  // of rank 0
   std::mutex mpi_;                    // held by the thread that calls MPI
   std::optional<std::jthread> service_;
+  bool is_aborted_ = false;
 };
 
 }  // namespace
