@@ -53,9 +53,10 @@ class SweptArchive {
   int tasks = 0;
 };
 
-/// What the shards of a sweep say of each task's time, s of the clock: a list a shard, in the order in which tasks were done.
+/// What the shards of a sweep say of each task's time, s of the clock and of the processor: a list a shard, in the order in which
+/// tasks were done.
 struct SpentTime {
-  double begin = 0, end = 0;
+  double begin = 0, end = 0, processor = 0;
 };
 inline std::vector<std::vector<SpentTime>> spent_of(const Folder& folder, const std::string& out) {
   std::vector<std::vector<SpentTime>> all;
@@ -64,7 +65,7 @@ inline std::vector<std::vector<SpentTime>> spent_of(const Folder& folder, const 
     all.emplace_back();
     for (std::string line; std::getline(file, line);) {
       const Json spent = Json::parse(line)["spent"];
-      all.back().push_back({spent["begin"], spent["end"]});
+      all.back().push_back({spent["begin"], spent["end"], spent["processor_s"]});
     }
   }
   return all;

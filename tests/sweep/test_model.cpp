@@ -2,11 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <sched.h>
+
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
 #include <leadscrew/sweep/model.hpp>
 #include <leadscrew/sweep/model_table.hpp>
 #include <leadscrew/sweep/sensitivity.hpp>
-#include <numeric>
+#include <map>
 
 #include "swept_archive.hpp"
 
@@ -64,45 +69,77 @@ TEST(Model, ReadsWhatASweepHasMeasured) {
   EXPECT_EQ(cli::testing::leadscrew(folder, {"sweep", "--model", "1", "--out", "none"}).status, 3);
 }
 
-/// The model's time over the measured one, by the tasks' times of the clock: other work on the computer, and the other ranks of a
-/// processor, are in them, so that each rank has a processor.
-double modelled_over_measured(const cli::testing::Folder& folder, const std::string& out) {
-  const auto shards = cli::testing::spent_of(folder, out);
-  std::vector<cli::testing::SpentTime> all;
-  for (const auto& tasks : shards) all.insert(all.end(), tasks.begin(), tasks.end());
-  std::ranges::sort(all, {}, &cli::testing::SpentTime::begin);
-  std::vector<double> tasks;
-  double end = 0;
-  for (const auto& task : all) {
-    tasks.push_back(task.end - task.begin);
-    end = std::max(end, task.end);
-  }
-  const int ranks = static_cast<int>(shards.size());
-  return simulate({.ranks = ranks, .processors = ranks}, tasks).makespan / (end - all.front().begin);
+/// That this process may run on.
+int processors() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  return ::sched_getaffinity(0, sizeof(set), &set) == 0 ? CPU_COUNT(&set) : 1;
 }
 
-TEST(LongModel, IsNearWhatIsMeasuredOnOneProcessTwoAndFour) {
-  const cli::testing::Folder folder;
-  std::vector<std::string> words = {"sweep", "--quiet"};
-  cli::testing::add_long_programs(folder, 12, words);
-  for (const char* const count : {"1", "2", "4"}) {
-    auto all = words;
-    all.insert(all.end(), {"--processes", count, "--out", count});
-    ASSERT_EQ(cli::testing::leadscrew(folder, all).status, 0);
-    EXPECT_NEAR(modelled_over_measured(folder, count), 1, 0.1) << count;
+/// All tasks of a sweep, in the order in which they were begun.
+std::vector<cli::testing::SpentTime> tasks_of(const cli::testing::Folder& folder, const std::string& out) {
+  std::vector<cli::testing::SpentTime> all;
+  for (const auto& tasks : cli::testing::spent_of(folder, out)) all.insert(all.end(), tasks.begin(), tasks.end());
+  std::ranges::sort(all, {}, &cli::testing::SpentTime::begin);
+  return all;
+}
+
+/// s of the clock from the first task's begin to the last one's end.
+double measured(const cli::testing::Folder& folder, const std::string& out) {
+  const auto tasks = tasks_of(folder, out);
+  return std::ranges::max(tasks, {}, &cli::testing::SpentTime::end).end - tasks.front().begin;
+}
+
+/// By the processor times of another sweep's tasks, on this computer's processors.
+double modelled(const cli::testing::Folder& folder, const std::string& of_one, int ranks) {
+  std::vector<double> tasks;
+  for (const auto& task : tasks_of(folder, of_one)) tasks.push_back(task.processor);
+  return simulate({.ranks = ranks, .processors = std::min(ranks, processors())}, tasks).makespan;
+}
+
+/// Sweeps by one process, whose tasks the model gets, and then by 1, 2 and 4; three times. The model is to be within 10 % of the
+/// clock in the middle one. Sweeps go before other work where this is allowed; elsewhere the computer is to have none.
+void expect_the_model_to_be_near(
+    const std::function<cli::testing::Outcome(const cli::testing::Folder&, const std::string& count,
+                                              const std::string& out)>& sweep) {
+  const ::sched_param before_others{.sched_priority = 1};
+  static_cast<void>(::sched_setscheduler(0, SCHED_RR, &before_others));
+  // The disk, which the model leaves out, is not asked where there are files in memory.
+  if (std::filesystem::exists("/dev/shm")) ::setenv("TMPDIR", "/dev/shm", 1);
+  std::map<int, std::vector<double>> ratios;
+  for (int round = 0; round < 3; ++round) {
+    const cli::testing::Folder folder;
+    std::vector<std::string> words = {"sweep", "--quiet", "--processes", "1", "--out", "one"};
+    cli::testing::add_long_programs(folder, 24, words);
+    ASSERT_EQ(cli::testing::leadscrew(folder, words).status, 0);
+    for (const int count : {1, 2, 4}) {
+      const std::string out = std::to_string(count);
+      ASSERT_EQ(sweep(folder, out, out).status, 0);
+      ratios[count].push_back(modelled(folder, "one", count) / measured(folder, out));
+    }
   }
+  for (auto& [count, all] : ratios) {
+    std::ranges::sort(all);
+    std::cout << count << ": " << all[0] << ", " << all[1] << ", " << all[2] << " of the measured time\n";
+    EXPECT_NEAR(all[1], 1, 0.1) << count;
+  }
+}
+
+TEST(LongModel, OfOneProcessesTasksIsNearWhatOneTwoAndFourTake) {
+  expect_the_model_to_be_near([](const auto& folder, const std::string& count, const std::string& out) {
+    std::vector<std::string> words = {"sweep", "--quiet", "--processes", count, "--out", out};
+    cli::testing::add_long_programs(folder, 24, words);
+    return cli::testing::leadscrew(folder, words);
+  });
 }
 
 #ifdef LEADSCREW_MPIRUN
-TEST(LongModel, IsNearWhatIsMeasuredOnTwoRanksAndFour) {
-  const cli::testing::Folder folder;
-  std::vector<std::string> words = {"--quiet", "--out", "out"};
-  cli::testing::add_long_programs(folder, 12, words);
-  for (const char* const ranks : {"2", "4"}) {
-    words[2] = ranks;
-    ASSERT_EQ(cli::testing::ranked_sweep(folder, ranks, words).status, 0);
-    EXPECT_NEAR(modelled_over_measured(folder, ranks), 1, 0.1) << ranks;
-  }
+TEST(LongModel, OfOneProcessesTasksIsNearWhatOneTwoAndFourRanksTake) {
+  expect_the_model_to_be_near([](const auto& folder, const std::string& count, const std::string& out) {
+    std::vector<std::string> words = {"--quiet", "--processes", "1", "--out", out};
+    cli::testing::add_long_programs(folder, 24, words);
+    return cli::testing::ranked_sweep(folder, count, words);
+  });
 }
 #endif
 
