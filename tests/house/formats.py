@@ -388,10 +388,19 @@ def check_measures(schemas):
     json_of(schemas, "rejected", "measure", "patch.csv", square, status=3)
 
 
+def sweep_of_another_build(words):
+    other = scratch / "other"
+    other.write_bytes(command.read_bytes() + b"other")
+    other.chmod(0o755)
+    subprocess.run([other, *map(str, words), "--quiet"], cwd=scratch, check=True)
+
+
 def check_sweeps(schemas):
     words = ["sweep", "--programs", square, "bad.ngc", "none.ngc", "--tolerance", "0.001,0.01", "--out", "swept"]
+    sweep_of_another_build(words)
     swept = json_of(schemas, "sweep", *words)
     check(swept.get("rows") == 6 and swept.get("kept") == 2, f"a sweep of three programs has told {swept}")
+    check(swept.get("other_builds", [{}])[0].get("rows") == 6, f"a sweep of another build has told {swept}")
     bought = json_of(schemas, "sweep", "sweep", "--programs", square, "--optimise", "--out", "bought")
     best = bought["sensitivities"][0]
     check(best["limit"] == "jerk X" or best["limit"] == "jerk Y", f"the limit to buy for a square is {best}")

@@ -32,7 +32,7 @@ std::string path_of_only_shard(const Folder& folder) {
 }
 
 void write_three(const Folder& folder) {
-  sweep::ShardWriter shard(folder.path() / "shards");
+  sweep::ShardWriter shard(folder.path() / "shards", "a build");
   for (int k = 1; k <= 3; ++k) ASSERT_TRUE(shard.add({1, static_cast<std::uint64_t>(k)}, result(k), {}));
 }
 
@@ -73,7 +73,7 @@ TEST(Shards, AreAwaitedWhileTheyAreWritten) {
   const Folder folder;
   const std::string shards = folder.path() / "shards";
   {
-    sweep::ShardWriter shard(shards);
+    sweep::ShardWriter shard(shards, "a build");
     ASSERT_TRUE(shard.add({1, 1}, result(1), {}));
     const auto free = sweep::await_writers(shards, 0);
     ASSERT_FALSE(free);

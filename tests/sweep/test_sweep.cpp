@@ -39,6 +39,29 @@ TEST(Sweep, DoesOnlyWhatIsNotDone) {
   EXPECT_EQ(merged["rows"], archive.tasks);
 }
 
+/// A build of the same version: of other bytes.
+TEST(Sweep, TellsHowManyRowsAnotherBuildMade) {
+  const SweptArchive archive(3);
+  EXPECT_FALSE(archive.run("out").json().contains("other_builds"));
+  const Surroundings other = without_page(archive.folder);
+  std::ofstream(other.command, std::ios::app) << "other";
+  const auto of_other = [&] { return leadscrew(archive.folder, archive.words("out"), other).json(); };
+  Json told = of_other();
+  EXPECT_EQ(told["done"], 0);
+  ASSERT_EQ(told["other_builds"].size(), 1);
+  EXPECT_EQ(told["other_builds"][0]["rows"], archive.tasks);
+  EXPECT_TRUE(told["other_builds"][0]["build"].get<std::string>().starts_with("0.")) << told;
+  EXPECT_TRUE(contains(archive.folder.read("out/results.html"), "rows by 0."));
+  archive.folder.write("archive/p1.ngc", with_feed(square, "500"));
+  EXPECT_EQ(of_other()["other_builds"][0]["rows"], archive.tasks - 2);
+  const Outcome text = leadscrew(archive.folder, {"sweep", "--merge", "--out", "out"});
+  EXPECT_TRUE(contains(text.output, "builds      2 rows by 0.")) << text.output;
+  std::filesystem::remove_all(archive.folder.path() / "out/shards");
+  told = of_other();
+  EXPECT_EQ(told["done"], archive.tasks);
+  EXPECT_FALSE(told.contains("other_builds")) << told;
+}
+
 TEST(Sweep, SaysWhatIsWrongWithItsWords) {
   const Folder folder;
   EXPECT_EQ(leadscrew(folder, {"sweep", "--out", "out"}).status, 2);

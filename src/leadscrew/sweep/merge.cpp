@@ -3,6 +3,7 @@
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/files/interrupt.hpp>
 #include <leadscrew/files/output_file.hpp>
+#include <leadscrew/sweep/build.hpp>
 #include <leadscrew/sweep/merge.hpp>
 #include <leadscrew/sweep/shards.hpp>
 #include <leadscrew/sweep/table.hpp>
@@ -29,8 +30,20 @@ base::Result<void> write_file(const std::string& path, Write write) {
 
 /// Results by their keys, as text: ten million of them have to fit.
 struct Results {
-  std::map<Key, std::string> lines;
+  struct Line {
+    std::string result;
+    std::size_t build;
+  };
+  std::map<Key, Line> lines;
+  std::vector<std::string> builds;
   double processor_s = 0;
+
+  std::size_t number_of(const std::string& build) {
+    const auto known = std::ranges::find(builds, build);
+    const auto number = static_cast<std::size_t>(known - builds.begin());
+    if (known == builds.end()) builds.push_back(build);
+    return number;
+  }
 };
 
 base::Result<Results> results_of(const std::string& folder) {
@@ -42,7 +55,11 @@ base::Result<Results> results_of(const std::string& folder) {
     if (result == nullptr || result->members() == nullptr) return;
     const json::Json* const spent = read->find("spent");
     const json::Json* const processor = spent == nullptr ? nullptr : spent->find("processor_s");
-    found.lines.emplace(line.key, result->written_in_line());
+    const json::Json* const build = spent == nullptr ? nullptr : spent->find("build");
+    found.lines.emplace(
+        line.key,
+        Results::Line{result->written_in_line(),
+                      found.number_of(build == nullptr || build->text() == nullptr ? std::string() : *build->text())});
     found.processor_s += processor == nullptr ? 0 : processor->number().value_or(0);
   };
   if (auto read = for_each_line(shards_of_sweep(folder), take); !read) return base::failure(read.error());
@@ -67,6 +84,7 @@ class Rows {
   /// Calls with each row. Errors: `sweep-tasks`, those of `take`.
   base::Result<void> for_each(const std::function<base::Result<void>(const json::Json&)>& take) {
     tasks = 0;
+    rows_of_builds.assign(results_.builds.size(), 0);
     for (std::size_t begin = 0, end = 0; begin < tasks_.size(); begin = end + 1) {
       end = std::min(tasks_.find('\n', begin), tasks_.size());
       const auto line = json::Json::parse(std::string_view(tasks_).substr(begin, end - begin));
@@ -78,7 +96,8 @@ class Rows {
       const auto result = results_.lines.find(*known);
       if (result == results_.lines.end()) continue;
       json::Json row = *place;
-      const auto found = json::Json::parse(result->second);
+      const auto found = json::Json::parse(result->second.result);
+      ++rows_of_builds[result->second.build];
       for (const auto& [name, value] : *found->members()) row[name] = value;
       if (auto taken = take(row); !taken) return taken;
       if (files::interrupted()) return base::failure(files::interruption());
@@ -86,7 +105,8 @@ class Rows {
     return {};
   }
 
-  std::int64_t tasks = 0;  ///< of the last walk
+  std::int64_t tasks = 0;                    ///< of the last walk
+  std::vector<std::int64_t> rows_of_builds;  ///< the same, in the order of the results'
 
  private:
   const std::string& folder_;
@@ -151,10 +171,15 @@ base::Result<Merged> merge(const std::string& folder, const RowSink& see) {
   });
   if (!lines) return base::failure(lines.error());
   if (auto written = write_tables(folder, rows, columns); !written) return base::failure(written.error());
-  return Merged{rows.tasks,
-                columns.rows(),
-                results->processor_s,
-                {folder + "/results.jsonl", folder + "/results.csv", folder + "/results.npy"}};
+  Merged merged{.tasks = rows.tasks,
+                .rows = columns.rows(),
+                .processor_s = results->processor_s,
+                .files = {folder + "/results.jsonl", folder + "/results.csv", folder + "/results.npy"}};
+  for (std::size_t k = 0; k < rows.rows_of_builds.size(); ++k) {
+    if (rows.rows_of_builds[k] > 0 && results->builds[k] != build_name())
+      merged.rows_of_others[results->builds[k]] = rows.rows_of_builds[k];
+  }
+  return merged;
 }
 
 }  // namespace leadscrew::sweep

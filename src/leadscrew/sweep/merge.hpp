@@ -6,6 +6,7 @@
 #include <leadscrew/base/result.hpp>
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/sweep/work.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -25,10 +26,11 @@ using RowSink = std::function<void(const json::Json&)>;
 
 /// What there is, and what it took.
 struct Merged {
-  std::int64_t tasks = 0;          ///< that the sweep has
-  std::int64_t rows = 0;           ///< of tasks that are done
-  double processor_s = 0;          ///< that the tasks took, each once
-  std::vector<std::string> files;  ///< written
+  std::int64_t tasks = 0;                              ///< that the sweep has
+  std::int64_t rows = 0;                               ///< of tasks that are done
+  std::map<std::string, std::int64_t> rows_of_others;  ///< of these, by builds that are not build_name(); "": not told
+  double processor_s = 0;                              ///< that the tasks took, each once
+  std::vector<std::string> files;                      ///< written
 };
 
 /// `see` may be empty. Errors: `sweep-tasks` where the folder holds no sweep, those of reading and writing.

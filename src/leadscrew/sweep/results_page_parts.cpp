@@ -125,7 +125,10 @@ std::string ResultsPage::written(const Summary& summary, const std::string& fold
       broken > 0         ? readable(static_cast<double>(broken), 12) + " of the tasks did not keep what is promised."
       : summary.kept > 0 ? std::string("Every motion keeps every limit and tolerance.")
                          : std::string("No program has run."),
-      summary.rows == summary.tasks ? "" : " Not all is done yet.", "</p>\n<dl class=\"figures\">\n");
+      summary.rows == summary.tasks ? "" : " Not all is done yet.", "</p>\n");
+  if (const std::string others = told_of_others(summary); !others.empty())
+    put(page, "<p class=\"note\">Of builds: ", escaped(others), ".</p>\n");
+  put(page, "<dl class=\"figures\">\n");
   const std::pair<std::string_view, std::int64_t> counts[] = {
       {"tasks", summary.tasks},       {"with a result", summary.rows}, {"kept", summary.kept},
       {"not kept", summary.not_kept}, {"rejected", summary.rejected},  {"unreadable", summary.unreadable}};

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <ctime>
 #include <leadscrew/files/interrupt.hpp>
+#include <leadscrew/sweep/build.hpp>
 #include <leadscrew/sweep/runner.hpp>
 #include <numeric>
 #include <set>
@@ -57,7 +58,7 @@ class SharedMemory {
 class Worker {
  public:
   Worker(Work& work, const Plan& plan, const std::string& shards, console::Console& console)
-      : work_(work), plan_(plan), shard_(shards), console_(console) {}
+      : work_(work), plan_(plan), shard_(shards, build_name()), console_(console) {}
 
   /// Does the task of this place of the plan's order. False: no more can be done.
   bool take(std::int64_t place) {
@@ -206,6 +207,7 @@ Ended run_alone(Work& work, const Plan& plan, const std::string& shards, int pro
   if (memory.get() == nullptr) return failed_to_start(console, errno);
   Shared& shared = *memory.get();
   const pid_t self = ::getpid();
+  build_name();  // read once, before there are others
   Processes started(console);
   const auto wanted = std::min<std::int64_t>(processes, static_cast<std::int64_t>(plan.order.size()));
   for (std::int64_t i = 0; i < wanted; ++i) {

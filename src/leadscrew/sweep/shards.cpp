@@ -110,8 +110,8 @@ base::Result<void> ShardWriter::add(const Key& key, const json::Json& result, co
   if (!file_) {
     if (auto opened = open(); !opened) return opened;
   }
-  const json::Json times =
-      json::Json::object({{"begin", spent.begin}, {"end", spent.end}, {"processor_s", spent.processor}});
+  const json::Json times = json::Json::object(
+      {{"begin", spent.begin}, {"end", spent.end}, {"processor_s", spent.processor}, {"build", build_}});
   const std::string behind = fmt::format(R"({}{}","result":{},"spent":{}}})", key_begin, text_of(key),
                                          result.written_in_line(), times.written_in_line());
   const std::string line = fmt::format("{}{}{}\n", line_begin, checksum_of(behind), behind);

@@ -29,8 +29,8 @@ struct Spent {
 /// A process' own.
 class ShardWriter {
  public:
-  /// In the folder DIR/shards; nothing is made before the first result.
-  explicit ShardWriter(std::string folder) : folder_(std::move(folder)) {}
+  /// In the folder DIR/shards; nothing is made before the first result. `build`: build_name().
+  ShardWriter(std::string folder, std::string build) : folder_(std::move(folder)), build_(std::move(build)) {}
   ~ShardWriter() { static_cast<void>(sync()); }
   ShardWriter(const ShardWriter&) = delete;
   ShardWriter& operator=(const ShardWriter&) = delete;
@@ -43,7 +43,7 @@ class ShardWriter {
  private:
   base::Result<void> open();
 
-  std::string folder_, path_;
+  std::string folder_, build_, path_;
   files::Descriptor file_;
   std::int64_t size_ = 0;  // bytes of whole lines
   bool is_dirty_ = false;

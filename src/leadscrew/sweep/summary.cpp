@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <leadscrew/sweep/build.hpp>
 #include <leadscrew/sweep/summary.hpp>
 
 namespace leadscrew::sweep {
@@ -32,9 +33,20 @@ json::Json json_of(const Summary& summary) {
                                        {"processor_s", summary.processor_s},
                                        {"wall_s", summary.wall_s},
                                        {"files", summary.files}});
+  for (const auto& [build, rows] : summary.rows_of_others)
+    all["other_builds"].push_back(json::Json::object({{"build", build}, {"rows", rows}}));
   if (summary.sensitivities.empty()) return all;
   for (const Sensitivity& each : summary.sensitivities) all["sensitivities"].push_back(json_of(each));
   return all;
+}
+
+std::string told_of_others(const Summary& summary) {
+  if (summary.rows_of_others.empty()) return {};
+  std::string all;
+  for (const auto& [build, rows] : summary.rows_of_others)
+    all += fmt::format("{}{} {} by {}", all.empty() ? "" : ", ", rows, rows == 1 ? "row" : "rows",
+                       build.empty() ? "a build that is not named" : build);
+  return fmt::format("{}; this is {}. To have them done again, remove shards/ in the folder", all, build_name());
 }
 
 std::string text_of(const Summary& summary, const results::Style&) {
@@ -43,6 +55,7 @@ std::string text_of(const Summary& summary, const results::Style&) {
   text += summary.failed > 0 ? fmt::format(", {} failed and are left to do\n", summary.failed) : "\n";
   text += fmt::format("results     {} kept, {} not kept, {} rejected, {} unreadable\n", summary.kept, summary.not_kept,
                       summary.rejected, summary.unreadable);
+  if (!summary.rows_of_others.empty()) text += fmt::format("builds      {}\n", told_of_others(summary));
   text += fmt::format("motion      {:.1f} s in all\n", summary.time_s);
   text += fmt::format("processor   {:.1f} s this start, in {:.1f} s; all tasks together {:.1f} s\n",
                       summary.processor_s, summary.wall_s, summary.tasks_processor_s);

@@ -194,6 +194,7 @@ Status conclude(const Asked& asked, const Plan& plan, const Ended& ended, double
   summary.tasks = merged->tasks;
   summary.tasks_processor_s = merged->processor_s;
   summary.files = merged->files;
+  summary.rows_of_others = merged->rows_of_others;
   summary.sensitivities = sensitivities.found();
   if (!summary.sensitivities.empty()) {
     const std::string path = *options.out + "/sensitivities.svg";
