@@ -2,6 +2,8 @@
 // Random part programs, as text, on random machines: those of campaign/, drawn by RapidCheck, which makes them smaller.
 
 #include <cstdio>
+#include <initializer_list>
+#include <leadscrew/campaign/draws.hpp>
 #include <leadscrew/campaign/five_axis_program.hpp>
 #include <leadscrew/campaign/random_machines.hpp>
 #include <leadscrew/campaign/random_program.hpp>
@@ -11,8 +13,25 @@
 #include <optional>
 #include <random_numbers.hpp>
 #include <string>
+#include <vector>
 
 namespace leadscrew::testing_support {
+
+/// What campaign/ draws its programs from, the same on every computer.
+struct RapidDraws {
+  template <typename Whole>
+  Whole any(Whole low, Whole high) const {
+    return testing_support::any(low, high);
+  }
+  bool once_in(int times) const { return any(0, times) == 0; }
+  bool either() const { return *rc::gen::arbitrary<bool>(); }
+  double between(double least, double greatest) const { return testing_support::between(least, greatest); }
+  double logarithmic(double low, double high) const { return campaign::by_magnitude(low, high, any(0, 1000001)); }
+  template <typename Value>
+  Value one_of(std::initializer_list<Value> values) const {
+    return *rc::gen::elementOf(std::vector<Value>(values));
+  }
+};
 
 inline RapidDraws rapid_draws;
 

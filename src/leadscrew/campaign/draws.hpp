@@ -4,11 +4,16 @@
 //
 // SplitMix64 (Steele, Lea, Flood: Fast splittable pseudorandom number generators, OOPSLA 2014): a counter through a mixer.
 
-#include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <leadscrew/numeric/power.hpp>
 
 namespace leadscrew::campaign {
+
+/// From 0 < `low` to `high`, by magnitude: so many millionths of the way, 0 … 1 000 000; the same bits on every computer.
+inline double by_magnitude(double low, double high, int millionths) {
+  return low * numeric::pow(high / low, millionths / 1e6);
+}
 
 class Draws {
  public:
@@ -27,7 +32,7 @@ class Draws {
   /// In a millionth of steps.
   double between(double least, double greatest) { return least + (greatest - least) * any(0, 1'000'001) / 1e6; }
   /// 0 < `low` to `high`, by magnitude.
-  double logarithmic(double low, double high) { return low * std::pow(high / low, any(0, 1'000'001) / 1e6); }
+  double logarithmic(double low, double high) { return by_magnitude(low, high, any(0, 1'000'001)); }
   /// One of them.
   template <class Value>
   Value one_of(std::initializer_list<Value> values) {

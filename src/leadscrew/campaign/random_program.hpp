@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <leadscrew/campaign/kinds.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -111,13 +112,13 @@ class RandomProgram {
     double angle = draws_.any(0, 6283) / 1000.0;
     for (int k = draws_.any(2, 30); k > 0; --k) {
       angle += 0.3 * bend + waver * draws_.any(-1000, 1001) / 1000.0;
-      at_[0] = rounded(at_[0] + length * std::cos(angle));
-      at_[1] = rounded(at_[1] + length * std::sin(angle));
+      at_[0] = rounded(at_[0] + length * numeric::cos(angle));
+      at_[1] = rounded(at_[1] + length * numeric::sin(angle));
       text_ += "G1";
       word('X', at_[0]);
       word('Y', at_[1]);
       if (turn > 0) {
-        at_[3] = rounded(at_[3] + turn * std::cos(2 * angle));
+        at_[3] = rounded(at_[3] + turn * numeric::cos(2 * angle));
         word('A', at_[3]);
       }
       text_ += '\n';
@@ -175,14 +176,15 @@ class RandomProgram {
     const bool is_flat = draws_.any(0, 6) == 0;
     const double radius = is_flat ? draws_.logarithmic(300, 9e4) : std::max(0.02, size());
     const double from = draws_.any(0, 6283) / 1000.0;
-    const double i = rounded(radius * std::cos(from)), j = rounded(radius * std::sin(from));
+    const double i = rounded(radius * numeric::cos(from)), j = rounded(radius * numeric::sin(from));
     const bool clockwise = draws_.either(), whole = !is_flat && draws_.any(0, 5) == 0;
     const double sweep = is_flat ? draws_.any(300, 6000) / 100.0 / radius : draws_.any(300, 6000) / 1000.0;
     text_ += clockwise ? "G2" : "G3";
     if (!whole) {
-      const double begin = std::atan2(-j, -i), angle = begin + (clockwise ? -sweep : sweep), r = std::hypot(i, j);
-      at_[first] = rounded(at_[first] + i + r * std::cos(angle));
-      at_[second] = rounded(at_[second] + j + r * std::sin(angle));
+      const double begin = numeric::atan2(-j, -i), angle = begin + (clockwise ? -sweep : sweep),
+                   r = numeric::hypot(i, j);
+      at_[first] = rounded(at_[first] + i + r * numeric::cos(angle));
+      at_[second] = rounded(at_[second] + j + r * numeric::sin(angle));
       word("XYZ"[first], at_[first]);
       word("XYZ"[second], at_[second]);
     }
@@ -221,8 +223,8 @@ class RandomProgram {
       word('K', knots[static_cast<std::size_t>(k)]);
       const double radius = size * (1 + draws_.any(-100, 101) / 1000.0), angle = k * step;
       if (k == 0 || !stands || k <= points / 2) {
-        at_[0] = k == 0 ? x : rounded(x + radius * std::cos(angle) - size);
-        at_[1] = k == 0 ? y : rounded(y + radius * std::sin(angle));
+        at_[0] = k == 0 ? x : rounded(x + radius * numeric::cos(angle) - size);
+        at_[1] = k == 0 ? y : rounded(y + radius * numeric::sin(angle));
       }
       word('X', at_[0]);
       word('Y', at_[1]);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace leadscrew::campaign {
 using machine::Vector;
 
 inline Vector about(std::size_t axis, double degrees, Vector v) {
-  const double angle = degrees * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
+  const double angle = degrees * std::numbers::pi / 180, c = numeric::cos(angle), s = numeric::sin(angle);
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
   const Vector before = v;
   v[i] = c * before[i] - s * before[j];
