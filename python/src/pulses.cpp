@@ -79,10 +79,16 @@ std::unique_ptr<Pulses> load(const std::string& method, bool is_arc, const Point
   return pulses;
 }
 
-std::vector<std::string> columns_of(const Pulses& pulses) {
+/// What a call names by number, from 0 until it names nothing.
+template <class NameAt>
+std::vector<std::string> all_names(const NameAt& name_at) {
   std::vector<std::string> names;
-  while (const char* name = leadscrew_pulses_column(pulses.handle, names.size())) names.emplace_back(name);
+  while (const char* name = name_at(names.size())) names.emplace_back(name);
   return names;
+}
+
+std::vector<std::string> columns_of(const Pulses& pulses) {
+  return all_names([&](std::size_t index) { return leadscrew_pulses_column(pulses.handle, index); });
 }
 
 /// All clocks that are left, no more than so many, a row each.
@@ -108,10 +114,17 @@ Rows table(Pulses& pulses, std::size_t most, py::object progress) {
   return Rows({height, width}, data, owner);
 }
 
+/// What a call tells of them in a structure of the library.
+template <class Told, class Call>
+Told told_of(const Pulses& pulses, const Call& call) {
+  Told told{};
+  told.size = sizeof told;
+  call(pulses.handle, &told, nullptr);
+  return told;
+}
+
 py::dict figures_of(const Pulses& pulses) {
-  leadscrew_pulse_figures figures{};
-  figures.size = sizeof figures;
-  leadscrew_pulses_figures(pulses.handle, &figures, nullptr);
+  const auto figures = told_of<leadscrew_pulse_figures>(pulses, leadscrew_pulses_figures);
   py::dict all;
   all["clocks"] = figures.clocks;
   all["pulses"] = figures.pulses;
@@ -125,9 +138,7 @@ py::dict figures_of(const Pulses& pulses) {
 }
 
 py::dict conventions_of(const Pulses& pulses) {
-  leadscrew_pulse_conventions found{};
-  found.size = sizeof found;
-  leadscrew_pulses_conventions(pulses.handle, &found, nullptr);
+  const auto found = told_of<leadscrew_pulse_conventions>(pulses, leadscrew_pulses_conventions);
   py::dict all;
   all["bits"] = found.bits;
   all["capacity"] = found.capacity;
@@ -141,9 +152,7 @@ py::dict conventions_of(const Pulses& pulses) {
 }
 
 std::vector<std::string> names_of(int what) {
-  std::vector<std::string> names;
-  while (const char* name = leadscrew_pulse_name(what, names.size())) names.emplace_back(name);
-  return names;
+  return all_names([&](std::size_t index) { return leadscrew_pulse_name(what, index); });
 }
 
 }  // namespace
