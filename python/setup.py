@@ -9,6 +9,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -32,6 +33,9 @@ class CMakeBuild(build_ext):
         if len(made) != 1:
             raise RuntimeError(f"expected one module _core in {BUILD}/python/leadscrew, found {len(made)}")
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
+        if made[0].name != target.name:
+            raise RuntimeError(f"expected {target.name}, a module for {sys.executable}, found {made[0].name} in {BUILD}: name another "
+                               "folder by LEADSCREW_BUILD, configured with -DPython3_EXECUTABLE= for this interpreter")
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(made[0], target)
 

@@ -69,7 +69,7 @@ def array(value: Any, name: str, shape: str) -> np.ndarray:
         raise ValueError(f"{name}: expected {shape}, found rows of different lengths")
     if found.dtype.kind not in "iuf":
         raise TypeError(f"{name}: expected {shape} of numbers, found {found.dtype} of shape {found.shape}")
-    found = np.array(found, dtype=np.float64, order="C", copy=False)
+    found = np.asarray(found, dtype=np.float64, order="C")
     if not np.all(np.isfinite(found)):
         place = tuple(int(i) for i in np.argwhere(~np.isfinite(found))[0])
         raise ValueError(f"{name}: expected finite numbers, found {found[place]} at {list(place)}")
