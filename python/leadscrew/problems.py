@@ -55,3 +55,7 @@ class ProblemError(ValueError):
         self.column = first.column
         self.field = first.field
         super().__init__("\n".join(str(each) for each in errors))
+
+    def __reduce__(self) -> tuple[type[ProblemError], tuple[tuple[Diagnostic, ...]]]:
+        """By its diagnostics, so that copies and other processes have all of it."""
+        return type(self), (self.diagnostics,)

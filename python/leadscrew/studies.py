@@ -15,6 +15,6 @@ def studies() -> dict[str, str]:
 
 def study(name: str) -> list[dict[str, Any]]:
     """Makes one again: a row a figure, with the keys of `leadscrew study NAME --json`: group, what, published, ours, unit,
-    verdict, why. Some take seconds; an interrupt acts when the study has ended."""
+    verdict, why. Some take minutes, and are made by a process of its own; an interrupt ends it within a tenth of a second."""
     found = _core.study(checks.choice(name, "name", studies()))
     return json.loads(found)["rows"]

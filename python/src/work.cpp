@@ -4,6 +4,7 @@
 #include <leadscrew/gcode/tool_table.hpp>
 #include <leadscrew/host/program_reading.hpp>
 #include <leadscrew/realtime/stop_watch.hpp>
+#include <stdexcept>
 
 namespace leadscrew::python {
 
@@ -95,6 +96,12 @@ std::unique_ptr<pipeline::MotionSource> TextWork::motion(Watch& watch) const {
 referee::MoveSource TextWork::moves() const {
   auto reader = std::make_shared<gcode::Reader>(file_.source(), machine(), tools_, reading(), nullptr);
   return [reader = std::move(reader)](gcode::Move& move) { return reader->next(move); };
+}
+
+host::MoveQueue& MoveWork::queue_to_change() {
+  if (is_in_use())
+    throw std::runtime_error(name() + ": expected a change of the path before or after its run, found one meanwhile");
+  return queue_;
 }
 
 Reading MoveWork::read(Watch&, pipeline::Survey* survey) const {

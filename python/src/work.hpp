@@ -36,6 +36,20 @@ class Work {
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;
 
+  /// While one of them lives, something is done with the work. Made and ended with the interpreter's lock; meanwhile other
+  /// threads may have it.
+  class Use {
+   public:
+    explicit Use(const Work& work) : work_(work) { ++work_.uses_; }
+    ~Use() { --work_.uses_; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    const Work& work_;
+  };
+  bool is_in_use() const { return uses_ > 0; }
+
   const machine::Machine& machine() const { return machine_; }
   const std::string& name() const { return name_; }
   const base::AxisVector& start() const { return start_; }
@@ -59,6 +73,7 @@ class Work {
   const machine::Machine machine_;
   std::string name_;
   base::AxisVector start_;
+  mutable int uses_ = 0;
 };
 
 /// How a program is read.
@@ -103,7 +118,9 @@ class MoveWork : public Work {
   MoveWork(machine::Machine machine, const std::string& name, const base::AxisVector& start)
       : Work(std::move(machine), name, start), queue_(this->machine(), start) {}
 
-  host::MoveQueue& queue() { return queue_; }
+  const host::MoveQueue& queue() const { return queue_; }
+  /// With the lock. RuntimeError where the path is in use: by another thread, or by a run whose progress function asks.
+  host::MoveQueue& queue_to_change();
 
   Reading read(Watch& watch, pipeline::Survey* survey) const override;
   std::unique_ptr<pipeline::Program> program(Watch& watch) const override;

@@ -74,6 +74,7 @@ py::list events_of(const std::vector<base::PassedEvent>& events) {
 }
 
 py::dict run_work(const Work& work, py::object progress) {
+  const Work::Use use(work);
   Watch watch(std::move(progress));
   const Reading reading = read_sound(work, watch);
   Moved moved = done(without_lock(watch, [&] { return run(work, reading, watch); }), reading);
@@ -89,6 +90,7 @@ py::dict run_work(const Work& work, py::object progress) {
 }
 
 py::dict check_work(const Work& work, py::object progress) {
+  const Work::Use use(work);
   Watch watch(std::move(progress));
   pipeline::PathSurvey survey(work.machine(), work.start());
   const Reading reading = without_lock(watch, [&] {
@@ -109,6 +111,7 @@ py::dict check_work(const Work& work, py::object progress) {
 }
 
 py::dict judge_work(const Work& work, const Numbers& positions, py::object progress) {
+  const Work::Use use(work);
   Watch watch(std::move(progress));
   const Reading reading = read_sound(work, watch);
   const double* const rows = positions.data();
@@ -123,6 +126,7 @@ py::dict judge_work(const Work& work, const Numbers& positions, py::object progr
 }
 
 py::dict simulate_work(const Work& work, bool pulses, py::object progress) {
+  const Work::Use use(work);
   Watch watch(std::move(progress));
   const Reading reading = read_sound(work, watch);
   const auto kind = pulses ? drive::LoopKind::pulses : drive::LoopKind::words;
@@ -137,23 +141,32 @@ py::dict simulate_work(const Work& work, bool pulses, py::object progress) {
 }
 
 pipeline::Trajectory plan_work(const Work& work, py::object progress) {
+  const Work::Use use(work);
   Watch watch(std::move(progress));
   const Reading reading = read_sound(work, watch);
   return done(without_lock(watch, [&] { return plan(work, watch); }), reading);
 }
 
-/// The next move of a host, with its number as line.
+/// The next moves of a host, with their numbers as lines: all, or none where one is refused.
+void push(MoveWork& work, std::vector<gcode::Move> moves) {
+  host::MoveQueue& queue = work.queue_to_change();
+  auto number = static_cast<std::int64_t>(queue.waiting().size());
+  for (gcode::Move& move : moves) move.line = base::line_at(++number);
+  value_or_raise(queue.push(std::move(moves)));
+}
 void push(MoveWork& work, gcode::Move move) {
-  move.line = base::line_at(static_cast<std::int64_t>(work.queue().waiting().size()) + 1);
-  value_or_raise(work.queue().push(std::move(move)));
+  push(work, std::vector<gcode::Move>{std::move(move)});
 }
 
 void push_lines(MoveWork& work, const Numbers& ends, const Numbers& feeds) {
+  std::vector<gcode::Move> lines;
+  lines.reserve(static_cast<std::size_t>(ends.shape(0)));
   for (py::ssize_t i = 0; i < ends.shape(0); ++i) {
     base::AxisVector end;
     std::copy_n(ends.data(i, 0), end.size(), end.begin());
-    push(work, host::line(end, feeds.at(i)));
+    lines.push_back(host::line(end, feeds.at(i)));
   }
+  push(work, std::move(lines));
 }
 
 void push_arc(MoveWork& work, const Numbers& end, const std::string& plane, double first, double second, int turns,
@@ -197,10 +210,10 @@ void bind_work(py::module_& module) {
              return std::make_unique<MoveWork>(machine, name, at);
            }),
            py::arg("machine"), py::arg("name"), py::arg("start"))
-      .def_property_readonly("end", [](MoveWork& work) { return array_of(work.queue().end()); })
-      .def_property_readonly("count", [](MoveWork& work) { return work.queue().waiting().size(); })
+      .def_property_readonly("end", [](const MoveWork& work) { return array_of(work.queue().end()); })
+      .def_property_readonly("count", [](const MoveWork& work) { return work.queue().waiting().size(); })
       .def(
-          "smooth", [](MoveWork& work, double tolerance) { value_or_raise(work.queue().smooth(tolerance)); },
+          "smooth", [](MoveWork& work, double tolerance) { value_or_raise(work.queue_to_change().smooth(tolerance)); },
           py::arg("tolerance"))
       .def("lines", &push_lines, py::arg("ends"), py::arg("feeds"))
       .def("arc", &push_arc, py::arg("end"), py::arg("plane"), py::arg("first"), py::arg("second"), py::arg("turns"),
@@ -209,7 +222,7 @@ void bind_work(py::module_& module) {
            py::arg("feed"))
       .def(
           "dwell", [](MoveWork& work, double seconds) { push(work, host::dwell(seconds)); }, py::arg("seconds"))
-      .def("stop", [](MoveWork& work) { work.queue().end_for_now(); });
+      .def("stop", [](MoveWork& work) { work.queue_to_change().end_for_now(); });
 }
 
 }  // namespace leadscrew::python

@@ -1,6 +1,8 @@
 """What is wrong raises, and says what was expected and what was found."""
 
+import copy
 import pathlib
+import pickle
 import tempfile
 import unittest
 
@@ -127,6 +129,19 @@ class Refusals(unittest.TestCase):
         with self.assertRaises(PROBLEM):
             path.line([1e6, 0, 0])
         self.assertEqual(path.end.tolist(), [10, 0, 0])
+        with self.assertRaises(PROBLEM):
+            path.lines([[20, 0, 0], [1e6, 0, 0], [30, 0, 0]], feed=50)
+        self.assertEqual(path.end.tolist(), [10, 0, 0])
+        self.assertEqual(path.run().moves, 1)
+
+    def test_are_the_same_in_another_process(self):
+        with self.assertRaises(PROBLEM) as raised:
+            leadscrew.run("G21 G90 G94\nG1 X10 F600\nG2 X5 Y5 I3\nG77\nM2\n", name="part.ngc")
+        for again in (pickle.loads(pickle.dumps(raised.exception)), copy.copy(raised.exception)):
+            self.assertIs(type(again), PROBLEM)
+            self.assertEqual(again.diagnostics, raised.exception.diagnostics)
+            self.assertEqual((str(again), again.code, again.line, again.hint),
+                             (str(raised.exception), "arc-radius", 3, raised.exception.hint))
 
 
 if __name__ == "__main__":

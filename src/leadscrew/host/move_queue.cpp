@@ -16,28 +16,38 @@ base::Result<void> MoveQueue::smooth(double tolerance) {
 base::Result<void> MoveQueue::push(gcode::Move move) {
   if (finished_)
     return base::failure(base::problem("motion-ended", "no move is taken any more", "reset it at its end"));
-  if (auto sound = put_behind(end_, machine_, move); !sound) return sound;
+  if (auto sound = put_behind(last_.end, machine_, move); !sound) return sound;
   move.path_mode = tolerance_ > 0 ? gcode::PathMode::blend : gcode::PathMode::exact_path;
   move.tolerance = move.naive_cam_tolerance = tolerance_;
   append(std::move(move));
   return {};
 }
 
+base::Result<void> MoveQueue::push(std::vector<gcode::Move> moves) {
+  const std::size_t count = moves_.size();
+  const Last last = last_;
+  for (gcode::Move& move : moves) {
+    if (auto sound = push(std::move(move)); !sound) {
+      while (moves_.size() > count) moves_.pop_back();
+      last_ = last;
+      return sound;
+    }
+  }
+  return {};
+}
+
 void MoveQueue::append(gcode::Move move) {
-  end_ = move.end;
-  line_ = move.line;
-  is_of_tip_ = move.is_of_tip;
-  tool_ = move.tool;
+  last_ = {move.end, move.line, move.is_of_tip, move.tool};
   moves_.push_back(std::move(move));
 }
 
 /// A dwell of no time, for which motion rests; its place is told as those of the moves before are.
 void MoveQueue::end_for_now() {
   gcode::Move rest = dwell(0);
-  rest.start = rest.end = end_;
-  rest.line = line_;
-  rest.is_of_tip = is_of_tip_;
-  rest.tool = tool_;
+  rest.start = rest.end = last_.end;
+  rest.line = last_.line;
+  rest.is_of_tip = last_.is_of_tip;
+  rest.tool = last_.tool;
   if (!finished_) moves_.push_back(std::move(rest));
 }
 
@@ -49,10 +59,7 @@ void MoveQueue::abandon() {
 void MoveQueue::restart(const base::AxisVector& start) {
   moves_.clear();
   finished_ = has_given_ = false;
-  end_ = start;
-  line_ = {};
-  is_of_tip_ = false;
-  tool_ = {};
+  last_ = {start};
 }
 
 pipeline::Supply MoveQueue::give(gcode::Move& move) {
