@@ -8,7 +8,9 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME leadscrew)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
-set(CPACK_PACKAGE_CONTACT "Leadscrew authors <authors@leadscrew.invalid>")
+set(LEADSCREW_MAINTAINER "Leadscrew authors <authors@leadscrew.invalid>" CACHE STRING "who answers for the packages: whoever publishes them")
+set(CPACK_PACKAGE_CONTACT ${LEADSCREW_MAINTAINER})
+configure_file(packaging/changelog.in ${PROJECT_BINARY_DIR}/packaging/changelog @ONLY)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 1)  # of the compressor: its output does not depend on how many processors there are
@@ -122,5 +124,6 @@ endforeach()
 # What finish_packages.cmake needs to know, as cpack reads it.
 set(CPACK_LEADSCREW_PACKAGES ${LEADSCREW_PACKAGES})
 set(CPACK_LEADSCREW_SOURCE ${PROJECT_SOURCE_DIR})
+set(CPACK_LEADSCREW_CHANGELOG ${PROJECT_BINARY_DIR}/packaging/changelog)
 set(CPACK_LEADSCREW_INTERFACE ${version_of_interface})
 include(CPack)

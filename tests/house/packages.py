@@ -47,7 +47,7 @@ shutil.rmtree(scratch, ignore_errors=True)
 scratch.mkdir(parents=True)
 
 version = re.search(r"^project\(leadscrew VERSION ([\d.]+)", (source / "CMakeLists.txt").read_text(encoding="utf-8"), re.MULTILINE)[1]
-entry = (source / "packaging" / "changelog").read_text(encoding="utf-8").splitlines()[0]
+entry = (source / "packaging" / "changelog.in").read_text(encoding="utf-8").splitlines()[0]
 expect(entry.startswith(f"leadscrew ({version}) "), f"the changelog begins with '{entry}', not with version {version}")
 
 names = re.findall(r'set\(CPACK_DEBIAN_\w+_PACKAGE_NAME "([^"]+)"\)', (build / "CPackConfig.cmake").read_text(encoding="utf-8"))
