@@ -158,7 +158,7 @@ int tpRunCycle(TP_STRUCT* const tp, long period) {
   if (tp->aborting && state->following != following_none && follow_to_rest(tp, entry_of(state->gate)))
     state->following = following_none;
   const int follows = state->following != following_none;
-  struct leadscrew_tp_wishes wishes = {factor_of(tp), tp->aborting && !follows, state->passed};
+  struct leadscrew_tp_wishes wishes = {factor_of(tp), tp->vLimit * state->mm, tp->aborting && !follows, state->passed};
   struct leadscrew_tp_word word;
   state->status->tcqlen = state->added - state->begun;
   leadscrew_tp_cycle(state->planning, &wishes, &word);

@@ -123,13 +123,25 @@ static double distance(const EmcPose* a, const EmcPose* b) {
   return second > TP_POS_EPSILON ? second : sqrt(pow(a->a - b->a, 2) + pow(a->b - b->b, 2) + pow(a->c - b->c, 2));
 }
 
-/* Moves in rotary axes alone know no limit of the tool's speed. */
-static double speed_limit(const TP_STRUCT* tp, const EmcPose* end) {
+/* Is it a move of rotary axes alone? Their speeds are in degrees. */
+static int turns_alone(const EmcPose* start, const EmcPose* end) {
   EmcPose linear = *end;
-  linear.a = tp->goalPos.a;
-  linear.b = tp->goalPos.b;
-  linear.c = tp->goalPos.c;
-  return same(&linear, &tp->goalPos) || tp->vLimit <= 0 ? HUGE_VAL : tp->vLimit * leadscrew_state.mm;
+  linear.a = start->a;
+  linear.b = start->b;
+  linear.c = start->c;
+  return same(&linear, start);
+}
+
+/* A thread's or tap's turns are counted along X, Y and Z. */
+static int is_thread_without_length(const struct entry* entry) {
+  if (entry->kind < thread_move) return 0;
+  const double x = entry->end.tran.x - entry->start.tran.x, y = entry->end.tran.y - entry->start.tran.y,
+               z = entry->end.tran.z - entry->start.tran.z;
+  if (sqrt(x * x + y * y + z * z) >= TP_POS_EPSILON) return 0;
+  rtapi_print_msg(RTAPI_MSG_ERR,
+                  "leadscrew_tp: a thread or tap (G33, G76, G33.1) that moves neither X, Y nor Z; its lead is along "
+                  "these: give one of them\n");
+  return 1;
 }
 
 /* In step with a spindle, as tpSetSpindleSync has said. */
@@ -158,12 +170,9 @@ static enum leadscrew_tp_join join_of(int condition) {
 
 /* The move itself, by what has been set for it. */
 static void fill(const TP_STRUCT* tp, struct leadscrew_tp_move* move, const struct entry* entry, double ini_maxvel) {
-  const double limit = speed_limit(tp, &entry->end);
-  const double scale = isinf(limit) && tp->vLimit > 0 ? 1 : leadscrew_state.mm;
-  const double asked = (entry->speed > 0 ? entry->speed : ini_maxvel) * scale;
+  const double scale = !move->is_arc && turns_alone(&tp->goalPos, &entry->end) ? 1 : leadscrew_state.mm;
   position_of(&entry->end, move->end);
-  move->speed = asked < limit ? asked : limit;
-  move->top_speed = isinf(limit) ? 2 * move->speed : limit;
+  move->speed = (entry->speed > 0 ? entry->speed : ini_maxvel) * scale;
   move->join = join_of(tp->termCond);
   move->tolerance = tp->tolerance * leadscrew_state.mm;
   move->group = entry->kind == paced_move ? 2 : entry->motion_type == EMC_MOTION_TYPE_TRAVERSE;
@@ -182,6 +191,7 @@ static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entr
   if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
   if (entry->kind == free_move) synchronize(tp, entry);
   if (move->is_arc && entry->kind == thread_move) return TP_ERR_FAIL;
+  if (is_thread_without_length(entry)) return TP_ERR_FAIL;
   fill(tp, move, entry, ini_maxvel);
   move->number = state->added + 1;
   entry->id = tp->nextId;

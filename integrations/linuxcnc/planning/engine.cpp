@@ -16,20 +16,26 @@ constexpr double far_ahead = 5;         // times the options' `ahead`: at first 
 constexpr double enough_to_begin = 2;   // s, at the moves' speeds
 constexpr double short_slice = 0.01;    // s, where the feeder asks for no other
 constexpr double least_change = 0.005;  // of the factor: adaptive feed trembles
+constexpr double to_slow_down = 0.15;   // s, before a move that is too fast, beside what is settled ahead
 constexpr double travel = 1e5;          // mm or degrees
 
-/// mm, or degrees of rotary axes alone: of a line, and not more than that of an arc.
-double least_length(const gcode::Move& move) {
+/// Of a line, and not more than that of an arc.
+struct Length {
+  double least;  ///< mm, or degrees of rotary axes alone
+  bool is_in_degrees;
+};
+
+Length length_of(const gcode::Move& move) {
   std::array<double, 3> squares{};
   for (std::size_t i = 0; i < move.end.size(); ++i) {
     const double step = move.end[i] - move.start[i];
     squares[i / 3] += step * step;
   }
   const double chord = std::sqrt(squares[0] > 0 ? squares[0] : squares[2] > 0 ? squares[2] : squares[1]);
-  if (move.kind != gcode::Move::Kind::arc) return chord;
+  if (move.kind != gcode::Move::Kind::arc) return {chord, squares[0] == 0 && squares[2] == 0};
   const double radius = std::hypot(move.start[base::index(first_axis(move.plane))] - move.center_first,
                                    move.start[base::index(second_axis(move.plane))] - move.center_second);
-  return std::max(chord, 2 * std::numbers::pi * radius * (std::abs(move.turns) - 1));
+  return {std::max(chord, 2 * std::numbers::pi * radius * (std::abs(move.turns) - 1)), false};
 }
 
 gcode::PathMode path_mode(leadscrew_tp_join join) {
@@ -134,12 +140,13 @@ base::Result<void> Engine::push(const leadscrew_tp_move& asked) {
   auto move = move_of(asked, moves_.end(), machine_);
   if (!move) return base::failure(move.error());
   if (!is_open_) {
-    greatest_factor_ = 2;
     has_begun_ = false;
     waiting_ = 0;
   }
-  greatest_factor_ = std::clamp(asked.top_speed / asked.speed, 1.0, greatest_factor_);
-  waiting_ += least_length(*move) / asked.speed;
+  const Length length = length_of(*move);
+  const double seconds = length.least / asked.speed;
+  speeds_.add(asked.number, length.is_in_degrees ? 0 : asked.speed, seconds);
+  waiting_ += seconds;
   moves_.append(std::move(*move));
   last_came_ = realtime::now();
   is_open_ = true;
@@ -151,9 +158,14 @@ void Engine::end_for_now() {
   is_open_ = false;
 }
 
-bool Engine::step(double factor, bool abort) {
-  const double wanted = std::clamp(factor, 0.0, greatest_factor_);
-  if (wanted == 0 || wanted == 1 || factor_ == 0 || std::abs(wanted - factor_) >= least_change) factor_ = wanted;
+bool Engine::step(const Wanted& wanted, bool abort) {
+  speeds_.come_to(wanted.in_motion);
+  const double asked = std::clamp(wanted.factor, 0.0, 2.0);
+  const double speed = speeds_.greatest(feeder_.look_ahead() + to_slow_down);
+  const bool is_too_fast = asked * speed > wanted.top_speed;
+  const double factor = is_too_fast ? wanted.top_speed / speed : asked;
+  const bool counts = factor == 0 || factor == 1 || factor_ == 0 || std::abs(factor - factor_) >= least_change;
+  if (counts || (is_too_fast && factor < factor_)) factor_ = factor;
   feeder_.request(factor_, abort);
   return feeder_.step();
 }

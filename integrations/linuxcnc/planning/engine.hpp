@@ -15,6 +15,7 @@
 #include <string>
 
 #include "link.hpp"
+#include "speeds_ahead.hpp"
 
 namespace leadscrew::linuxcnc {
 
@@ -28,6 +29,13 @@ base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, con
 base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start,
                                   const machine::Machine& machine);
 
+/// What is asked of motion now.
+struct Wanted {
+  double factor = 1;            ///< of the feed, 0 … 2
+  double top_speed = 0;         ///< leadscrew_tp_wishes::top_speed
+  std::uint32_t in_motion = 0;  ///< number of the move that motion has come to
+};
+
 /// The thread of planning's, but for controller().next(). The machine is sound (machine::validate).
 class Engine {
  public:
@@ -40,7 +48,7 @@ class Engine {
   /// Motion is to rest where the moves so far end.
   void end_for_now();
   /// Plans, or hands motion over. False where there is nothing to do but wait.
-  bool step(double factor, bool abort);
+  bool step(const Wanted& wanted, bool abort);
 
   /// Is there a move behind the last place of rest that was asked for?
   bool is_open() const { return is_open_; }
@@ -71,8 +79,8 @@ class Engine {
   interpolator::Controller controller_;
   const realtime::Planning planning_;
   realtime::Feeder feeder_;
-  double factor_ = 1;           ///< of the feed, in force
-  double greatest_factor_ = 2;  ///< that all moves allow since motion settled last
+  SpeedsAhead speeds_;
+  double factor_ = 1;  ///< of the feed, in force
   bool is_open_ = false;
   bool has_begun_ = false;      ///< to plan what is open
   double waiting_ = 0;          ///< s that the moves take at their speeds which are open and were not begun

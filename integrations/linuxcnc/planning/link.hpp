@@ -33,7 +33,8 @@ struct Link {
   std::atomic<std::uint32_t> set_down{0};  ///< number of the last setting down
   std::atomic<std::uint32_t> aborts{0};    ///< number of the setting down whose motion is to be aborted
   std::atomic<std::uint32_t> passed{0};    ///< leadscrew_tp_wishes::passed
-  std::atomic<double> factor{1};
+  std::atomic<double> factor{1}, top_speed{0};
+  std::atomic<std::uint32_t> in_motion{0};  ///< number of the move that motion has come to
 
   // Told by the thread of planning.
   std::atomic<std::uint32_t> made{0};      ///< number of the setting down that the controller and all below belong to
@@ -42,6 +43,7 @@ struct Link {
   std::atomic<std::uint32_t> finished{0}, gate{0};
   std::atomic<std::int64_t> last_chunk{-1};  ///< of motion that is aborted, once it is known
   std::atomic<bool> has_failed{false};
+  std::atomic<bool> is_broken{false};  ///< no more motion comes: it is aborted where the controller stands
   std::atomic<double> seconds_ahead{0};
   std::atomic<std::int64_t> late_chunks{0}, starvations{0};
 };

@@ -31,6 +31,8 @@ struct leadscrew_tp {
   Position position{};
   double speed = 0;
   std::uint32_t number = 0;
+  Request where;           ///< motion was set down last
+  bool is_unsaid = false;  ///< there was no room for that in the ring
 };
 
 leadscrew_tp* leadscrew_tp_create(const leadscrew_tp_options* options, void (*report)(const char*)) {
@@ -52,6 +54,19 @@ struct leadscrew_tp_figures leadscrew_tp_figures_now(const leadscrew_tp* tp) {
           link.starvations.load(std::memory_order_relaxed)};
 }
 
+namespace {
+
+/// Tells the thread of planning where motion was set down, as soon as there is room; true once it is told.
+bool say_where(leadscrew_tp& tp) {
+  if (!tp.is_unsaid) return true;
+  if (!tp.link.requests.push(tp.where)) return false;
+  tp.is_unsaid = false;
+  tp.link.set_down.store(tp.set_down, std::memory_order_release);
+  return true;
+}
+
+}  // namespace
+
 void leadscrew_tp_set_down(leadscrew_tp* tp, const double position[leadscrew_tp_axes],
                            const leadscrew_tp_limits* limits, std::int64_t period_ns) {
   tp->controller = nullptr;
@@ -65,12 +80,14 @@ void leadscrew_tp_set_down(leadscrew_tp* tp, const double position[leadscrew_tp_
   request.limits = *limits;
   request.period_ns = period_ns;
   tp->link.passed.store(0, std::memory_order_relaxed);
-  tp->link.requests.push(request);
-  tp->link.set_down.store(tp->set_down, std::memory_order_release);
+  tp->link.in_motion.store(0, std::memory_order_relaxed);
+  tp->where = request;
+  tp->is_unsaid = true;
+  say_where(*tp);
 }
 
 int leadscrew_tp_push(leadscrew_tp* tp, const leadscrew_tp_move* move) {
-  if (tp->link.requests.size() >= leadscrew_tp_moves) return -1;
+  if (!say_where(*tp) || tp->link.requests.size() >= leadscrew_tp_moves) return -1;
   Request request;
   request.move = *move;
   return tp->link.requests.push(request) ? 0 : -1;
@@ -97,7 +114,9 @@ void take_controller(leadscrew_tp& tp) {
 
 void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, leadscrew_tp_word* word) {
   Link& link = tp->link;
+  say_where(*tp);
   link.factor.store(wishes->factor, std::memory_order_relaxed);
+  link.top_speed.store(wishes->top_speed, std::memory_order_relaxed);
   if (wishes->abort) link.aborts.store(tp->set_down, std::memory_order_release);
   link.passed.store(wishes->passed, std::memory_order_release);
   take_controller(*tp);
@@ -108,6 +127,7 @@ void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, lea
     tp->speed = next.speed;
     tp->number = std::max(tp->number, static_cast<std::uint32_t>(leadscrew::base::number(next.line)));
   }
+  link.in_motion.store(tp->number, std::memory_order_relaxed);
   std::copy(tp->position.begin(), tp->position.end(), word->position);
   word->speed = tp->speed;
   word->number = tp->number;
@@ -115,6 +135,8 @@ void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, lea
   word->gate = is_made ? link.gate.load(std::memory_order_acquire) : 0;
   word->has_failed = is_made && link.has_failed.load(std::memory_order_acquire);
   const std::int64_t last = is_made ? link.last_chunk.load(std::memory_order_acquire) : -1;
+  const bool has_ended = is_made && link.is_broken.load(std::memory_order_acquire);
   word->is_aborted =
-      wishes->abort && (!tp->controller || (last >= 0 && tp->controller->begun() == last && tp->controller->stands()));
+      wishes->abort &&
+      (!tp->controller || (tp->controller->stands() && (has_ended || (last >= 0 && tp->controller->begun() == last))));
 }

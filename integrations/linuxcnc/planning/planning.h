@@ -51,7 +51,6 @@ struct leadscrew_tp_move {
   int plane;                     /**< of an arc: 0, 1, 2: its normal is along Z, Y, X */
   int turns;                     /**< of an arc: turns begun, counterclockwise about that axis positive; not 0 */
   double speed;                  /**< mm/s, or degrees/s of rotary axes alone; > 0 */
-  double top_speed;              /**< the same, with any override; ≥ speed */
   enum leadscrew_tp_join join;   /**< with the next */
   double tolerance;              /**< mm; of a blend; 0: that of the options */
   int group;                     /**< motion rests between moves of two groups */
@@ -61,9 +60,10 @@ struct leadscrew_tp_move {
 
 /** What is asked for in this period. */
 struct leadscrew_tp_wishes {
-  double factor;   /**< of the feed, 0 … 2; 0 holds */
-  int abort;       /**< motion is to come to rest on the path and end */
-  uint32_t passed; /**< number of the last move in leadscrew_tp_word::gate that may begin, or was followed */
+  double factor;    /**< of the feed, 0 … 2; 0 holds */
+  double top_speed; /**< mm/s ≥ 0, whatever the factor, of moves that are not of rotary axes alone; 0 holds */
+  int abort;        /**< motion is to come to rest on the path and end */
+  uint32_t passed;  /**< number of the last move in leadscrew_tp_word::gate that may begin, or was followed */
 };
 
 /** A period. */

@@ -1,5 +1,8 @@
 #include "planning_thread.hpp"
 
+#include <array>
+#include <cstdio>
+#include <exception>
 #include <leadscrew/realtime.hpp>
 #include <utility>
 
@@ -38,17 +41,45 @@ bool PlanningThread::start() {
 
 void PlanningThread::run() {
   while (!ends_.load(std::memory_order_acquire)) {
-    if (!step()) realtime::sleep_until(realtime::now() + nap);
+    if (!step_or_break()) realtime::sleep_until(realtime::now() + nap);
   }
+}
+
+/// A step; whatever is thrown in it ends motion where it stands when what has been handed over is over.
+bool PlanningThread::step_or_break() noexcept {
+  try {
+    return step();
+  } catch (const std::exception& error) {
+    break_off(error.what());
+  } catch (...) {
+    break_off("of no known kind");
+  }
+  return false;
+}
+
+/// No motion follows until it is set down anew.
+void PlanningThread::break_off(const char* what) noexcept {
+  std::array<char, 200> why{};
+  std::snprintf(why.data(), why.size(), "planning has failed (%s): motion ends; run the program again from its start",
+                what);
+  report_(why.data());
+  is_broken_ = has_failed_ = true;
+  link_.is_broken.store(true, std::memory_order_release);
+  link_.has_failed.store(true, std::memory_order_release);
+  link_.made.store(set_down_, std::memory_order_release);
 }
 
 /// False where there is nothing to do but wait.
 bool PlanningThread::step() {
   if (link_.set_down.load(std::memory_order_acquire) != set_down_) set_down();
-  if (!engine_) return false;
+  if (is_broken_) return false;
+  if (!engine_) return refuse_moves();
   const bool aborts = has_failed_ || link_.aborts.load(std::memory_order_acquire) == set_down_;
   if (!aborts) take_moves();
-  const bool has_gone_on = engine_->step(link_.factor.load(std::memory_order_relaxed), aborts);
+  const bool has_gone_on =
+      engine_->step({link_.factor.load(std::memory_order_relaxed), link_.top_speed.load(std::memory_order_relaxed),
+                     link_.in_motion.load(std::memory_order_relaxed)},
+                    aborts);
   tell();
   return has_gone_on;
 }
@@ -73,7 +104,8 @@ void PlanningThread::set_down() {
   engine_.reset();
   next_.reset();
   pushed_ = 0;
-  has_failed_ = false;
+  has_failed_ = is_broken_ = false;
+  link_.is_broken.store(false, std::memory_order_relaxed);
   link_.finished.store(0, std::memory_order_relaxed);
   link_.gate.store(0, std::memory_order_relaxed);
   link_.rejoined.store(0, std::memory_order_relaxed);
@@ -86,9 +118,21 @@ void PlanningThread::set_down() {
 void PlanningThread::make_engine(const Position& position) {
   link_.controller.store(nullptr, std::memory_order_relaxed);
   auto machine = machine_of(where_.limits, options_, where_.period_ns);
-  if (!machine) return;  // LinuxCNC has not told its limits yet: no move comes before it has
+  if (!machine) {  // LinuxCNC has not told its limits yet
+    problem_ = told(machine.error());
+    return;
+  }
   engine_ = std::make_unique<Engine>(std::move(*machine), position, options_);
   link_.controller.store(&engine_->controller(), std::memory_order_release);
+}
+
+/// There is no machine to move.
+bool PlanningThread::refuse_moves() {
+  leadscrew_tp_move move;
+  if (where_.set_down != set_down_ || !pop(move)) return false;
+  if (!has_failed_) fail(problem_);
+  link_.has_failed.store(true, std::memory_order_release);
+  return true;
 }
 
 void PlanningThread::take_moves() {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "engine.hpp"
 #include "link.hpp"
@@ -31,10 +32,13 @@ class PlanningThread {
 
  private:
   void run();
+  bool step_or_break() noexcept;
+  void break_off(const char* what) noexcept;
   bool step();
   bool pop(leadscrew_tp_move& move);
   void set_down();
   void make_engine(const Position& position);
+  bool refuse_moves();
   void take_moves();
   bool may_begin(const leadscrew_tp_move& move);
   void fail(const std::string& why);
@@ -53,6 +57,8 @@ class PlanningThread {
   std::uint32_t pushed_ = 0;               ///< number of the last move that was
   int group_ = 0;                          ///< of it
   bool has_failed_ = false;
+  bool is_broken_ = false;  ///< something was thrown: there is no more motion until it is set down anew
+  std::string problem_;     ///< why there is no engine
 };
 
 }  // namespace leadscrew::linuxcnc

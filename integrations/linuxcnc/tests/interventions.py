@@ -42,6 +42,7 @@ class Record:
 JOBS = {
     "overrides": {"program": PATH, "acts": [[1, "feed", 0.5], [2, "pause", 0], [3, "resume", 0], [3.6, "feed", 1.5]]},
     "beyond": {"program": PATH, "acts": [[1, "feed", 5.0]]},
+    "greatest-velocity": {"program": PATH, "acts": [[1, "maxvel", 10], [2, "maxvel", 0], [3, "maxvel", 200]]},
     "abort": {"program": PATH, "acts": [[1.5, "abort", 0]]},
     "after-abort": {"acts": [[0, "mdi", "G21 G90 G1 F3000 X5 Y5"], [0, "mdi", "G2 X5 Y5 I3 J0"], [0, "mdi", "G0 X0 Y0"]]},
     "jog-then-run": {"program": PATH, "acts": [[20, "jog", [0, 20, 0.7]], [22, "mdi", "G53 G0 X3 Y4 Z0"]]},
@@ -88,6 +89,12 @@ class Interventions(unittest.TestCase):
 
     def test_override_is_held_to_what_linuxcnc_allows(self):
         self.assertLessEqual(self.record("beyond").differences(1), 1.5 * 20 * 1.001)
+
+    def test_greatest_velocity_holds_for_moves_under_way(self):
+        record = self.record("greatest-velocity")
+        for second, speed in ((0.9, 20), (1.9, 10), (2.9, 0), (3.9, 20)):
+            self.assertAlmostEqual(record.speed(second), speed, delta=0.2, msg=f"at {second} s")
+        self.ends_at(0, 0, 0)
 
     def test_abort_comes_to_rest_on_the_path(self):
         record = self.record("abort")

@@ -77,6 +77,8 @@ def act(what, value):
         command.feedrate(value)
     elif what == "rapid":
         command.rapidrate(value)
+    elif what == "maxvel":
+        command.maxvel(value)
     elif what == "pause":
         command.auto(linuxcnc.AUTO_PAUSE)
     elif what == "resume":

@@ -11,6 +11,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 MODULES = pathlib.Path("/usr/lib/linuxcnc/modules")
 
 # In the namespaces: a folder of modules with ours among them, a /tmp of its own, the loop interface, a user that is not root.
+# There is no real-time kernel: that its servo thread comes in time, other programs give way.
 INSIDE = """
 set -e
 mount -t tmpfs none /tmp
@@ -20,7 +21,7 @@ cp {module} /tmp/modules/leadscrew_tp.so
 mount --bind /tmp/modules {modules}
 ip link set lo up 2>/dev/null || true
 cd {scratch}
-exec setpriv --reuid=nobody --regid=nogroup --clear-groups timeout {seconds} linuxcnc machine.ini
+exec nice -n -10 setpriv --reuid=nobody --regid=nogroup --clear-groups timeout {seconds} linuxcnc machine.ini
 """
 
 

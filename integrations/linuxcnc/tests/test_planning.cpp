@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -23,6 +26,25 @@ using leadscrew::testing_support::watch;
 constexpr double velocity = 200, acceleration = 1000, jerk = 20000, period = 1e-3;
 
 std::string reported;
+std::atomic<bool> is_out_of_memory{false};  // for all threads but this
+thread_local bool is_spared = false;
+
+}  // namespace
+
+// What `new` gets, so that it can be had to fail.
+void* operator new(std::size_t size) {
+  void* memory = is_out_of_memory && !is_spared ? nullptr : std::malloc(size);
+  if (!memory) throw std::bad_alloc();
+  return memory;
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+namespace {
 
 void report(const char* message) {
   reported = message;
@@ -34,6 +56,8 @@ class Servo {
     leadscrew_tp_options options{{}, 0.01, 0.1, 0.04};
     std::fill(std::begin(options.jerk), std::end(options.jerk), jerk);
     reported.clear();
+    reported.reserve(400);  // none is to be had where it is told that there is none
+    is_spared = true;
     tp_ = leadscrew_tp_create(&options, report);
     set_down({});
   }
@@ -61,7 +85,6 @@ class Servo {
   void push(leadscrew_tp_move move) {
     move.number = ++added_;
     if (move.speed == 0) move.speed = 100;
-    move.top_speed = 2 * move.speed;
     move.join = leadscrew_tp_blend;
     armed([&] { EXPECT_EQ(leadscrew_tp_push(tp_, &move), 0); });
   }
@@ -98,7 +121,7 @@ class Servo {
     EXPECT_EQ(watch().calls, 0) << told(watch());
   }
 
-  leadscrew_tp_wishes wishes{1, 0, 0};
+  leadscrew_tp_wishes wishes{1, 1000, 0, 0};
   leadscrew_tp_word word{};
   bool lets = true;
   std::vector<std::array<double, 3>> places;
@@ -146,6 +169,94 @@ TEST(Planning, AbortedMotionRestsAndBeginsAnewFromThere) {
   EXPECT_TRUE(servo.cycle_until([&] { return servo.word.position[0] > 5; }));
   servo.wishes.abort = 1;
   EXPECT_TRUE(servo.cycle_until([&] { return servo.word.is_aborted != 0; }));
+  std::array<double, 9> at{};
+  std::copy_n(servo.word.position, 9, at.begin());
+  servo.set_down(at);
+  servo.line(1, 2);
+  EXPECT_TRUE(servo.ends());
+  EXPECT_EQ(servo.places.back(), (std::array<double, 3>{1, 2, 0}));
+  servo.expect_within_limits();
+}
+
+/// Along the path, in the last period, mm/s.
+double speed_of(const Servo& servo) {
+  const auto &now = servo.places.back(), &before = servo.places.at(servo.places.size() - 2);
+  return std::hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]) / period;
+}
+
+/// Does motion come to this speed, mm/s, and keep it for a quarter of a second? The thread of planning has no priority.
+bool comes_to(Servo& servo, double speed) {
+  int kept = 0;
+  return servo.cycle_until([&] {
+    kept = std::abs(speed_of(servo) - speed) < 0.1 ? kept + 1 : 0;
+    return kept == 250;
+  });
+}
+
+TEST(Planning, GreatestSpeedHoldsForMovesUnderWay) {
+  Servo servo;
+  servo.line(60, 0);
+  servo.line(60, 60);
+  EXPECT_TRUE(servo.cycle_until([&] { return servo.word.position[0] > 15; }));
+  EXPECT_GT(speed_of(servo), 90);
+  servo.wishes.top_speed = 30;
+  EXPECT_TRUE(comes_to(servo, 30));
+  servo.wishes.top_speed = 0;
+  EXPECT_TRUE(comes_to(servo, 0));
+  EXPECT_LT(servo.word.position[1], 60);
+  servo.wishes.top_speed = 1000;
+  EXPECT_TRUE(servo.ends());
+  EXPECT_EQ(servo.places.back(), (std::array<double, 3>{60, 60, 0}));
+  servo.expect_within_limits();
+}
+
+TEST(Planning, SlowsDownBeforeAMoveThatWouldBeTooFast) {
+  Servo servo;
+  servo.wishes.top_speed = 50;
+  for (int n = 1; n <= 20; ++n) {
+    leadscrew_tp_move move{};
+    move.end[0] = 3 * n;
+    move.speed = n % 2 == 0 ? 120 : 20;
+    servo.push(move);
+  }
+  double fastest = 0;
+  EXPECT_TRUE(servo.cycle_until([&] {
+    if (servo.places.size() > 1) fastest = std::max(fastest, speed_of(servo));
+    return servo.word.finished == 20;
+  }));
+  EXPECT_LE(fastest, 50.01);
+  servo.expect_within_limits();
+}
+
+TEST(Planning, IsSetDownMoreOftenThanThereIsRoomToSay) {
+  Servo servo;
+  for (int n = 0; n < 30000; ++n) servo.set_down({double(n), 0, 0});
+  servo.places.clear();
+  EXPECT_TRUE(servo.cycle_until([&] {
+    leadscrew_tp_move move{};
+    move.number = 1;
+    move.end[0] = 30003;
+    move.speed = 100;
+    return leadscrew_tp_push(servo.tp(), &move) == 0;
+  }));
+  EXPECT_TRUE(servo.cycle_until([&] { return servo.word.finished == 1; }));
+  EXPECT_EQ(servo.places.front()[0], 29999);
+  EXPECT_EQ(servo.places.back()[0], 30003);
+  servo.expect_within_limits();
+}
+
+TEST(Planning, WhatIsThrownThereEndsMotionAndIsTold) {
+  Servo servo;
+  square(servo);
+  EXPECT_TRUE(servo.cycle_until([&] { return servo.word.position[0] > 5; }));
+  is_out_of_memory = true;
+  const bool has_failed = servo.cycle_until([&] { return servo.word.has_failed != 0; });
+  is_out_of_memory = false;
+  EXPECT_TRUE(has_failed);
+  EXPECT_NE(reported.find("planning has failed"), std::string::npos) << reported;
+  servo.wishes.abort = 1;
+  EXPECT_TRUE(servo.cycle_until([&] { return servo.word.is_aborted != 0; }));
+  EXPECT_NEAR(speed_of(servo), 0, 0.001);
   std::array<double, 9> at{};
   std::copy_n(servo.word.position, 9, at.begin());
   servo.set_down(at);
