@@ -46,7 +46,7 @@ def run_linuxcnc(folder, machine, listed):
     # It keeps files beside its configuration, and refuses to be root: so it gets a folder and, if need be, a user.
     with tempfile.TemporaryDirectory() as scratch:
         scratch = pathlib.Path(scratch)
-        for name in (f"{machine.configuration}.ini", f"{machine.configuration}.hal", "record.py"):
+        for name in (f"{machine.configuration}.ini", f"{machine.configuration}.hal", "record.py", "screen.py"):
             shutil.copy(HERE / name, scratch)
         for program in listed:
             (scratch / f"{program.name}.ngc").write_text(program.peer_text or program.text)

@@ -2,6 +2,7 @@
  *
  * The module: loadrt leadscrew_tp jerk=20000. It is loaded before motmod, which looks for the functions of tp.c. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "figures.h"
 #include "hal.h"
@@ -82,6 +83,8 @@ int rtapi_app_main(void) {
   leadscrew_state.mm = inch ? 25.4 : 1;
   if (read_options(&options, leadscrew_state.mm) != 0) return -1;
   for (int axis = 0; axis < leadscrew_tp_axes; ++axis) leadscrew_state.jerk[axis] = options.jerk[axis];
+  /* So that the system gives this memory now, not to the servo thread, where it is not locked. */
+  memset(leadscrew_state.entries, 0, sizeof leadscrew_state.entries);
   component = hal_init("leadscrew_tp");
   if (component < 0) return component;
   if (figures_create(component) != 0 || !(leadscrew_state.planning = leadscrew_tp_create(&options, report))) {

@@ -7,6 +7,14 @@
 #include "rtapi.h"
 #include "state.h"
 
+/* LinuxCNC 2.10 also gives the greatest jerk along each move: as with velocity and acceleration, that of the axes holds. CMake
+ * looks into tp.h. */
+#if LEADSCREW_TP_GIVES_JERK
+#define LEADSCREW_TP_JERK double ini_maxjerk __attribute__((unused)),
+#else
+#define LEADSCREW_TP_JERK
+#endif
+
 /* Moves in flight beyond which task is told to wait, so that those on their way find room. */
 enum { nearly_full = leadscrew_tp_moves - 64 };
 
@@ -210,7 +218,7 @@ static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entr
 }
 
 int tpAddLine(TP_STRUCT* const tp, EmcPose end, int canon_motion_type, double vel, double ini_maxvel, double acc,
-              unsigned char enables, char atspeed, int indexer, struct state_tag_t tag) {
+              LEADSCREW_TP_JERK unsigned char enables, char atspeed, int indexer, struct state_tag_t tag) {
   (void)acc; /* along the line; that of the axes holds */
   if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
   if (distance(&tp->goalPos, &end) < TP_POS_EPSILON) return TP_ERR_ZERO_LENGTH;
@@ -226,8 +234,8 @@ int tpAddLine(TP_STRUCT* const tp, EmcPose end, int canon_motion_type, double ve
 }
 
 int tpAddCircle(TP_STRUCT* const tp, EmcPose end, PmCartesian center, PmCartesian normal, int turn,
-                int canon_motion_type, double vel, double ini_maxvel, double acc, unsigned char enables, char atspeed,
-                struct state_tag_t tag) {
+                int canon_motion_type, double vel, double ini_maxvel, double acc,
+                LEADSCREW_TP_JERK unsigned char enables, char atspeed, struct state_tag_t tag) {
   (void)acc;
   if (!tp || !is_finite(&end)) return TP_ERR_FAIL;
   const double along[] = {normal.z, normal.y, normal.x};
@@ -255,8 +263,8 @@ int tpAddCircle(TP_STRUCT* const tp, EmcPose end, PmCartesian center, PmCartesia
 }
 
 /* It ends where it begins. */
-int tpAddRigidTap(TP_STRUCT* const tp, EmcPose end, double vel, double ini_maxvel, double acc, unsigned char enables,
-                  double scale, struct state_tag_t tag) {
+int tpAddRigidTap(TP_STRUCT* const tp, EmcPose end, double vel, double ini_maxvel, double acc,
+                  LEADSCREW_TP_JERK unsigned char enables, double scale, struct state_tag_t tag) {
   (void)acc;
   if (!tp || !is_finite(&end) || tp->synchronized == TC_SYNC_NONE || !(scale > 0)) return TP_ERR_FAIL;
   if (distance(&tp->goalPos, &end) < TP_POS_EPSILON) return TP_ERR_ZERO_LENGTH;

@@ -7,58 +7,12 @@ LinuxCNC has to say against it, NAME.end where it ended and how long the servo t
 """
 import json
 import pathlib
-import subprocess
 import time
 
 import linuxcnc
+from screen import at_rest, command, complaints, hal, mdi, open_program, polled, recorded, status, switch_on, wait_until
 
-command, status, errors = linuxcnc.command(), linuxcnc.stat(), linuxcnc.error_channel()
-
-
-def complaints():
-    """What LinuxCNC reported since the last call."""
-    said = []
-    while message := errors.poll():
-        said.append(str(message[1]).strip())
-    return said
-
-
-def wait_until(holds, what, seconds=60):
-    end = time.monotonic() + seconds
-    while not holds():
-        if time.monotonic() > end:
-            raise TimeoutError(what)
-        time.sleep(0.005)
-
-
-def polled(holds):
-    def now():
-        status.poll()
-        return holds()
-    return now
-
-
-at_rest = polled(lambda: status.interp_state == linuxcnc.INTERP_IDLE and status.queue == 0 and status.inpos)
-
-
-def hal(*words):
-    return subprocess.run(["halcmd", *words], check=True, capture_output=True, text=True).stdout.strip()
-
-
-def switch_on():
-    for state in (linuxcnc.STATE_ESTOP_RESET, linuxcnc.STATE_ON):
-        command.state(state)
-        command.wait_complete()
-    command.home(-1)
-    wait_until(polled(lambda: all(status.homed[: status.joints])), "homing")
-
-
-def mdi(text):
-    command.mode(linuxcnc.MODE_MDI)
-    command.wait_complete()
-    command.mdi(text)
-    command.wait_complete(60)
-    wait_until(at_rest, text)
+PATIENCE = 120  # s
 
 
 def jog(axis, speed, seconds):
@@ -98,35 +52,26 @@ def act(what, value):
 
 
 def play(job):
-    """The job, with some rest before and after it."""
+    """The job, from its start."""
     complaints()
     command.feedrate(1)
     command.rapidrate(1)
+    command.maxvel(greatest_velocity)
     mdi("G21 G90 G53 G0 Z0")
     mdi(f"G21 G90 G53 G0 {job.get('start', 'X0 Y0 Z0')}")
     program = pathlib.Path(job["name"] + ".ngc")
     if "program" in job:
         program.write_text(job["program"])
-        command.mode(linuxcnc.MODE_AUTO)
-        command.wait_complete()
-        command.program_open(str(program.resolve()))
-        command.wait_complete()
-    sampler = subprocess.Popen(["halsampler", "-t", job["name"] + ".record"])
-    hal("setp", "sampler.0.enable", "1")
-    time.sleep(0.1)
-    began = time.monotonic()
-    if "program" in job:
-        command.auto(linuxcnc.AUTO_RUN, 0)
-        wait_until(polled(lambda: status.echo_serial_number == command.serial), "the start")
-    for moment, what, value in job.get("acts", []):
-        time.sleep(max(0, began + moment - time.monotonic()))
-        act(what, value)
-    wait_until(at_rest, f"the end of {job['name']}")
-    time.sleep(0.1)
-    hal("setp", "sampler.0.enable", "0")
-    wait_until(lambda: int(hal("getp", "sampler.0.curr-depth")) == 0, "emptying the sampler")
-    sampler.terminate()
-    sampler.wait()
+        open_program(program)
+    with recorded(job["name"] + ".record"):
+        began = time.monotonic()
+        if "program" in job:
+            command.auto(linuxcnc.AUTO_RUN, 0)
+            wait_until(polled(lambda: status.echo_serial_number == command.serial), "the start")
+        for moment, what, value in job.get("acts", []):
+            time.sleep(max(0, began + moment - time.monotonic()))
+            act(what, value)
+        wait_until(at_rest, f"the end of {job['name']}", PATIENCE)
     status.poll()
     end = {"position": status.position[:3], "servo_thread_ns": hal("getp", "motion-controller.tmax")}
     pathlib.Path(job["name"] + ".end").write_text(json.dumps(end))
@@ -134,6 +79,10 @@ def play(job):
 
 
 switch_on()
+status.poll()
+greatest_velocity = status.max_velocity
+if not greatest_velocity > 0:
+    raise ValueError(f"greatest velocity {greatest_velocity}")
 for job in json.loads(pathlib.Path("jobs.json").read_text()):
     try:
         play(job)

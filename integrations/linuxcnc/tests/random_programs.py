@@ -14,9 +14,9 @@ def program_of(draw):
     """Lines, arcs, helices and rapids within 40 mm, and where they end."""
     x = y = z = 0.0
     blocks = [draw.choice(["G61", "G61.1", "G64 P0.01", "G64 P0.05", "G64 P0.2"])]
-    for _ in range(draw.randint(3, 25)):
+    for _ in range(draw.randint(3, 12)):
         kind = draw.random()
-        blocks.append(f"F{draw.choice([300, 1200, 3000, 6000])}")
+        blocks.append(f"F{draw.choice([900, 1800, 3000, 6000])}")
         if kind < 0.15:
             x, y = round(draw.uniform(-20, 20), 3), round(draw.uniform(-20, 20), 3)
             blocks.append(f"G0 X{x} Y{y}")
@@ -44,7 +44,8 @@ def acts_of(draw):
             moment = round(moment + draw.uniform(0.05, 0.5), 3)
             acts.append([moment, "resume", 0])
         else:
-            acts.append([moment, draw.choice(["feed", "rapid"]), round(draw.uniform(0.1, 1), 2)])
+            what, least, most = draw.choice([("feed", 0.3, 1.5), ("rapid", 0.3, 1), ("maxvel", 20, 200)])
+            acts.append([moment, what, round(draw.uniform(least, most), 2)])
     aborts = draw.random() < 0.25
     if aborts:
         moment = round(moment + draw.uniform(0.02, 0.5), 3)
@@ -87,7 +88,5 @@ def main(module, count, seed):
 
 
 if __name__ == "__main__":
-    if not simulator.available():
-        print("LinuxCNC is not installed, or this is not root: skipped")
-        sys.exit(77)
-    main(*sys.argv[1:])
+    module, numbers = simulator.arguments()
+    main(module, *numbers)

@@ -8,6 +8,7 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+SCREEN = HERE.parents[2] / "bench" / "peers" / "screen.py"
 MODULES = pathlib.Path("/usr/lib/linuxcnc/modules")
 
 # In the namespaces: a folder of modules with ours among them, a /tmp of its own, the loop interface, a user that is not root.
@@ -25,20 +26,22 @@ exec nice -n -10 setpriv --reuid=nobody --regid=nogroup --clear-groups timeout {
 """
 
 
-def play(module, planner, jobs, seconds=600, hal="machine.hal"):
-    """Plays jobs (play.py) with this module of [TRAJ]TPMOD; returns {name: (record, said, end)}, and LinuxCNC's log."""
+def play(module, planner, jobs, seconds=600, hal="machine.hal", hal_text=None):
+    """Plays jobs (play.py) with this planner of [TRAJ]TPMOD and this HAL file, or its text; returns {name: (record, said, end)},
+    and LinuxCNC's log."""
     with tempfile.TemporaryDirectory(dir="/var/tmp") as scratch:
         scratch = pathlib.Path(scratch)
         ini = (HERE / "machine.ini").read_text().replace("@PLANNER@", planner).replace("@HAL@", hal)
         (scratch / "machine.ini").write_text(ini)
-        shutil.copy(HERE / hal, scratch)
-        shutil.copy(HERE / "play.py", scratch)
+        (scratch / hal).write_text(hal_text or (HERE / hal).read_text())
+        for script in (HERE / "play.py", SCREEN):
+            shutil.copy(script, scratch)
         (scratch / "jobs.json").write_text(json.dumps(jobs))
         for path in (scratch, *scratch.iterdir()):
             shutil.chown(path, "nobody", "nogroup")
         script = INSIDE.format(modules=MODULES, module=module, scratch=scratch, seconds=seconds)
         environment = {k: v for k, v in os.environ.items() if k != "DISPLAY"}
-        environment |= {"HOME": str(scratch), "RUNTESTS": "1"}
+        environment |= {"HOME": str(scratch), "RUNTESTS": "1", "LINUXCNC_FORCE_REALTIME": "1"}
         run = subprocess.run(["unshare", "--mount", "--ipc", "--net", "--pid", "--fork", "--mount-proc", "--kill-child",
                               "bash", "-c", script], env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
         results = {}
@@ -52,5 +55,9 @@ def play(module, planner, jobs, seconds=600, hal="machine.hal"):
         return results, run.stdout + run.stderr
 
 
-def available():
-    return shutil.which("linuxcnc") is not None and os.geteuid() == 0
+def arguments():
+    """Of the command: the module, and what follows. Ends it where LinuxCNC cannot be run."""
+    if shutil.which("linuxcnc") is None or os.geteuid() != 0:
+        print("LinuxCNC is not installed, or this is not root: skipped")
+        sys.exit(77)
+    return sys.argv[1], sys.argv[2:]
