@@ -3,7 +3,7 @@
  * What happens each servo period. */
 #include <math.h>
 
-#include "figures.h"
+#include "pins.h"
 #include "rtapi.h"
 #include "state.h"
 
@@ -162,7 +162,7 @@ int tpRunCycle(TP_STRUCT* const tp, long period) {
   struct leadscrew_tp_word word;
   state->status->tcqlen = state->added - state->begun;
   leadscrew_tp_cycle(state->planning, &wishes, &word);
-  figures_update();
+  pins_update();
   if (tp->done) return TP_ERR_WAITING;
   const int keeps_place =
       follows || (tp->aborting && entry_of(state->gate)->kind >= thread_move && state->gate > state->passed);

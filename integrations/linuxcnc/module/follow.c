@@ -45,7 +45,7 @@ static void begin_line(TP_STRUCT* tp, const struct entry* entry) {
     if (share == 0) continue;
     velocity = fmin(velocity, state->limits.velocity[axis] / share);
     acceleration = fmin(acceleration, state->limits.acceleration[axis] / share);
-    jerk = fmin(jerk, state->jerk[axis] / share);
+    jerk = fmin(jerk, state->limits.jerk[axis] / share);
   }
   leadscrew_tp_follower_begin(&state->follower, velocity, acceleration, jerk, tp->cycleTime);
 }

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "figures.h"
 #include "hal.h"
+#include "pins.h"
 #include "rtapi.h"
 #include "rtapi_app.h"
 #include "state.h"
@@ -47,7 +47,7 @@ static int numbers_of(const char* text, double numbers[leadscrew_tp_axes]) {
 }
 
 /* Of the module's parameters; 0 where they are sound. */
-static int read_options(struct leadscrew_tp_options* options, double mm) {
+static int read_options(struct leadscrew_tp_options* options, double limits[leadscrew_tp_axes], double mm) {
   double given[leadscrew_tp_axes];
   const int count = numbers_of(jerk, given);
   if (count != 1 && count != 2 && count != leadscrew_tp_axes) {
@@ -57,8 +57,7 @@ static int read_options(struct leadscrew_tp_options* options, double mm) {
   }
   for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
     const int rotary = axis >= 3 && axis < 6;
-    const double value = count == leadscrew_tp_axes ? given[axis] : given[rotary && count == 2];
-    options->jerk[axis] = rotary ? value : value * mm;
+    limits[axis] = count == leadscrew_tp_axes ? given[axis] : given[rotary && count == 2];
   }
   options->tolerance = 0.01;
   if (tolerance) {
@@ -80,14 +79,14 @@ static int read_options(struct leadscrew_tp_options* options, double mm) {
 
 int rtapi_app_main(void) {
   struct leadscrew_tp_options options;
+  double limits[leadscrew_tp_axes];
   leadscrew_state.mm = inch ? 25.4 : 1;
-  if (read_options(&options, leadscrew_state.mm) != 0) return -1;
-  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) leadscrew_state.jerk[axis] = options.jerk[axis];
+  if (read_options(&options, limits, leadscrew_state.mm) != 0) return -1;
   /* So that the system gives this memory now, not to the servo thread, where it is not locked. */
   memset(leadscrew_state.entries, 0, sizeof leadscrew_state.entries);
   component = hal_init("leadscrew_tp");
   if (component < 0) return component;
-  if (figures_create(component) != 0 || !(leadscrew_state.planning = leadscrew_tp_create(&options, report))) {
+  if (pins_create(component, limits) != 0 || !(leadscrew_state.planning = leadscrew_tp_create(&options, report))) {
     report("there is no memory or no thread");
     hal_exit(component);
     return -1;

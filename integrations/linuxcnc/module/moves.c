@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "motion_types.h"
+#include "pins.h"
 #include "rtapi.h"
 #include "state.h"
 
@@ -44,6 +45,7 @@ static struct leadscrew_tp_limits limits_now(void) {
     const double mm = axis >= 3 && axis < 6 ? 1 : leadscrew_state.mm;
     limits.velocity[axis] = leadscrew_state.velocity_limit(axis) * mm;
     limits.acceleration[axis] = leadscrew_state.acceleration_limit(axis) * mm;
+    limits.jerk[axis] = pins_jerk(axis) * mm;
   }
   return limits;
 }
@@ -51,7 +53,8 @@ static struct leadscrew_tp_limits limits_now(void) {
 int limits_changed(void) {
   const struct leadscrew_tp_limits limits = limits_now(), *const before = &leadscrew_state.limits;
   for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
-    if (limits.velocity[axis] != before->velocity[axis] || limits.acceleration[axis] != before->acceleration[axis])
+    if (limits.velocity[axis] != before->velocity[axis] || limits.acceleration[axis] != before->acceleration[axis] ||
+        limits.jerk[axis] != before->jerk[axis])
       return 1;
   }
   return 0;

@@ -65,7 +65,6 @@ struct state {
   int rests_next;                    /* the next move waits at the gate */
   int has_failed;
   struct leadscrew_tp_limits limits; /* that motion was set down with */
-  double jerk[leadscrew_tp_axes];    /* mm/s^3 or degrees/s^3 */
 
   enum following following;
   struct leadscrew_tp_follower follower; /* in mm */

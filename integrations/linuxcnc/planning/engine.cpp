@@ -70,7 +70,7 @@ base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, con
                                           .travel_max = travel,
                                           .velocity = limits.velocity[i],
                                           .acceleration = limits.acceleration[i],
-                                          .jerk = options.jerk[i],
+                                          .jerk = limits.jerk[i],
                                           .blu = 1e-6};
   }
   const std::vector<base::Diagnostic> problems = machine::validate(machine);

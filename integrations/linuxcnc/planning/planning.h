@@ -25,14 +25,14 @@ enum { leadscrew_tp_moves = 4096 };
 struct leadscrew_tp_limits {
   double velocity[leadscrew_tp_axes];     /**< mm/s or degrees/s, ≥ 0 */
   double acceleration[leadscrew_tp_axes]; /**< mm/s² or degrees/s², ≥ 0 */
+  double jerk[leadscrew_tp_axes];         /**< mm/s³ or degrees/s³, > 0 */
 };
 
 /** What does not change while the module is loaded. */
 struct leadscrew_tp_options {
-  double jerk[leadscrew_tp_axes]; /**< mm/s³ or degrees/s³, > 0 */
-  double tolerance;               /**< mm, > 0: of G64 without P */
-  double quiet;                   /**< s ≥ 0 without a move until motion begins along those there are */
-  double ahead;                   /**< s > 0 of motion that are settled ahead, where planning is in time */
+  double tolerance; /**< mm, > 0: of G64 without P */
+  double quiet;     /**< s ≥ 0 without a move until motion begins along those there are */
+  double ahead;     /**< s > 0 of motion that are settled ahead, where planning is in time */
 };
 
 /** How a move is joined to the next. */

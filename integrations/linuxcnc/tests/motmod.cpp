@@ -8,6 +8,12 @@ extern "C" {
 #include "hal.h"
 #include "rtapi.h"
 extern void* rtapi_info_address_jerk;
+}
+
+Motmod* Motmod::current = nullptr;
+std::map<std::string, volatile double*> Motmod::pins;
+
+extern "C" {
 
 // What rtapi and HAL do for a module, as far as this one asks.
 int hal_init(const char*) {
@@ -24,8 +30,14 @@ void* hal_malloc(long size) {
   static std::size_t used = 0;
   return size <= long(sizeof blocks[0]) ? blocks.at(used++ % blocks.size()).data() : nullptr;
 }
-int hal_pin_float_newf(hal_pin_dir_t, hal_float_t** pin, int, const char*, ...) {
+int hal_pin_float_newf(hal_pin_dir_t, hal_float_t** pin, int, const char* format, ...) {
+  std::array<char, 80> name{};
+  va_list words;
+  va_start(words, format);
+  std::vsnprintf(name.data(), name.size(), format, words);
+  va_end(words);
   *pin = static_cast<hal_float_t*>(hal_malloc(sizeof **pin));
+  Motmod::pins[name.data()] = *pin;
   return 0;
 }
 int hal_pin_s32_newf(hal_pin_dir_t, hal_s32_t** pin, int, const char*, ...) {
@@ -39,8 +51,6 @@ void rtapi_print_msg(msg_level_t, const char* format, ...) {
   va_end(words);
 }
 }
-
-Motmod* Motmod::current = nullptr;
 
 namespace {
 

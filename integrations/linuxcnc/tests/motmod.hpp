@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <string>
 #include <thread>
 #include <utility>
@@ -97,4 +98,5 @@ class Motmod {
   double velocity = 200;   ///< mm/s, of X, Y and Z
 
   static Motmod* current;
+  static std::map<std::string, volatile double*> pins;  ///< of numbers, by their names
 };

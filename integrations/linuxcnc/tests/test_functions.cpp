@@ -350,6 +350,20 @@ TEST(Functions, tpSetRunDir) {
   EXPECT_EQ(motmod.functions.tpSetRunDir(&motmod.tp, TC_DIR_REVERSE), TP_ERR_FAIL);
 }
 
+TEST(Pins, LimitJerkOfMotionThatBeginsFromThenOn) {
+  Motmod motmod;
+  EXPECT_EQ(*motmod.pins.at("leadscrew-tp.y-jerk"), 20000);
+  *motmod.pins.at("leadscrew-tp.x-jerk") = 5000;
+  motmod.line(20, 0);
+  EXPECT_TRUE(motmod.ends());
+  EXPECT_LE(motmod.difference(3), 5000 * 1.001);
+  EXPECT_GE(motmod.difference(3), 5000 * 0.95);
+  *motmod.pins.at("leadscrew-tp.x-jerk") = 0;  // none: the parameter's
+  motmod.line(0, 0);
+  EXPECT_TRUE(motmod.ends());
+  EXPECT_GE(motmod.difference(3), 20000 * 0.95);
+}
+
 TEST(Functions, tcqFull) {
   Motmod motmod;
   motmod.functions.tpPause(&motmod.tp);

@@ -53,8 +53,7 @@ void report(const char* message) {
 class Servo {
  public:
   Servo() {
-    leadscrew_tp_options options{{}, 0.01, 0.1, 0.04};
-    std::fill(std::begin(options.jerk), std::end(options.jerk), jerk);
+    const leadscrew_tp_options options{0.01, 0.1, 0.04};
     reported.clear();
     reported.reserve(400);  // none is to be had where it is told that there is none
     is_spared = true;
@@ -69,6 +68,7 @@ class Servo {
     leadscrew_tp_limits limits{};
     std::fill_n(limits.velocity, 3, velocity);
     std::fill_n(limits.acceleration, 3, acceleration);
+    std::fill_n(limits.jerk, 9, jerk);
     armed([&] { leadscrew_tp_set_down(tp_, position.data(), &limits, 1'000'000); });
     added_ = 0;
     wishes.passed = 0;
