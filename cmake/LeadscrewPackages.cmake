@@ -10,7 +10,7 @@ set(CPACK_PACKAGE_NAME leadscrew)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package has its own
 set(LEADSCREW_MAINTAINER "Leadscrew authors <authors@leadscrew.invalid>" CACHE STRING "who answers for the packages: whoever publishes them")
 set(CPACK_PACKAGE_CONTACT ${LEADSCREW_MAINTAINER})
-configure_file(packaging/changelog.in ${PROJECT_BINARY_DIR}/packaging/changelog @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/packaging/changelog.in ${PROJECT_BINARY_DIR}/packaging/changelog @ONLY)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_THREADS 1)  # of the compressor: its output does not depend on how many processors there are
