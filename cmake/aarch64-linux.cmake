@@ -2,6 +2,7 @@
 # Debian's libraries for that processor, which script/aarch64 makes.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
 list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES LEADSCREW_AARCH64_ROOT)
 set(CMAKE_CXX_FLAGS_INIT -Wno-psabi)  # GCC tells of an interface that changed with its version 10
