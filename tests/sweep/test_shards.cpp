@@ -21,6 +21,9 @@ std::vector<Key> keys_in(const Folder& folder) {
   std::vector<Key> keys;
   EXPECT_TRUE(sweep::for_each_line(folder.path() / "shards", [&](const sweep::ShardLine& line) {
     EXPECT_TRUE(json::Json::parse(line.text).has_value());
+    const auto number = static_cast<double>(line.key.low);
+    EXPECT_EQ(sweep::parts_of(line).result, result(static_cast<int>(number)).written_in_line());
+    EXPECT_EQ(json::Json::parse(sweep::parts_of(line).spent)->find("processor_s")->number(), number);
     keys.push_back(line.key);
   }));
   std::ranges::sort(keys);
@@ -33,7 +36,8 @@ std::string path_of_only_shard(const Folder& folder) {
 
 void write_three(const Folder& folder) {
   sweep::ShardWriter shard(folder.path() / "shards", "a build");
-  for (int k = 1; k <= 3; ++k) ASSERT_TRUE(shard.add({1, static_cast<std::uint64_t>(k)}, result(k), {}));
+  for (int k = 1; k <= 3; ++k)
+    ASSERT_TRUE(shard.add({1, static_cast<std::uint64_t>(k)}, result(k), {.processor = 1.0 * k}));
 }
 
 TEST(Shards, GiveBackWhatWasAdded) {

@@ -39,6 +39,18 @@ TEST(Sweep, DoesOnlyWhatIsNotDone) {
   EXPECT_EQ(merged["rows"], archive.tasks);
 }
 
+TEST(Sweep, SaysWhichProgramsWereRefusedAndWhy) {
+  const SweptArchive archive(1);
+  const Outcome outcome =
+      leadscrew(archive.folder, {"sweep", "--programs", "archive", "none.ngc", "--jerk", "1,2", "--out", "out"});
+  EXPECT_TRUE(contains(outcome.output, "refused     archive/bad.ngc:2: ")) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, "refused     none.ngc: cannot open")) << outcome.output;
+  EXPECT_EQ(outcome.output.find("bad.ngc"), outcome.output.rfind("bad.ngc")) << "told once a value";
+  for (int k = 0; k < 5; ++k) archive.folder.write("archive/worse" + std::to_string(k) + ".ngc", "G1 X\n");
+  const Outcome more = leadscrew(archive.folder, {"sweep", "--programs", "archive", "none.ngc", "--out", "out"});
+  EXPECT_TRUE(contains(more.output, "            and 2 more: results.html")) << more.output;
+}
+
 /// A build of the same version: of other bytes.
 TEST(Sweep, TellsHowManyRowsAnotherBuildMade) {
   const SweptArchive archive(3);

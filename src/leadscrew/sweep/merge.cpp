@@ -50,16 +50,14 @@ base::Result<Results> results_of(const std::string& folder) {
   Results found;
   const auto take = [&](const ShardLine& line) {
     if (found.lines.contains(line.key)) return;  // done twice: the same
-    const auto read = json::Json::parse(line.text);
-    const json::Json* const result = read ? read->find("result") : nullptr;
-    if (result == nullptr || result->members() == nullptr) return;
-    const json::Json* const spent = read->find("spent");
-    const json::Json* const processor = spent == nullptr ? nullptr : spent->find("processor_s");
-    const json::Json* const build = spent == nullptr ? nullptr : spent->find("build");
+    const ShardParts parts = parts_of(line);
+    const auto spent = json::Json::parse(parts.spent);
+    if (parts.result.empty() || !spent) return;
+    const json::Json* const processor = spent->find("processor_s");
+    const json::Json* const build = spent->find("build");
+    const bool is_named = build != nullptr && build->text() != nullptr;
     found.lines.emplace(
-        line.key,
-        Results::Line{result->written_in_line(),
-                      found.number_of(build == nullptr || build->text() == nullptr ? std::string() : *build->text())});
+        line.key, Results::Line{std::string(parts.result), found.number_of(is_named ? *build->text() : std::string())});
     found.processor_s += processor == nullptr ? 0 : processor->number().value_or(0);
   };
   if (auto read = for_each_line(shards_of_sweep(folder), take); !read) return base::failure(read.error());
@@ -97,6 +95,7 @@ class Rows {
       if (result == results_.lines.end()) continue;
       json::Json row = *place;
       const auto found = json::Json::parse(result->second.result);
+      if (!found || found->members() == nullptr) continue;
       ++rows_of_builds[result->second.build];
       for (const auto& [name, value] : *found->members()) row[name] = value;
       if (auto taken = take(row); !taken) return taken;

@@ -20,6 +20,7 @@ constexpr std::string_view line_begin = R"({"check":")";
 constexpr std::size_t check_digits = 16;
 constexpr std::string_view key_begin = R"(","key":")";
 constexpr std::size_t key_place = line_begin.size() + check_digits + key_begin.size(), key_digits = 32;
+constexpr std::string_view result_begin = R"(","result":)", spent_begin = R"(,"spent":)";
 constexpr auto time_between_syncs = std::chrono::seconds(1);
 
 std::string checksum_of(std::string_view text) {
@@ -112,8 +113,8 @@ base::Result<void> ShardWriter::add(const Key& key, const json::Json& result, co
   }
   const json::Json times = json::Json::object(
       {{"begin", spent.begin}, {"end", spent.end}, {"processor_s", spent.processor}, {"build", build_}});
-  const std::string behind = fmt::format(R"({}{}","result":{},"spent":{}}})", key_begin, text_of(key),
-                                         result.written_in_line(), times.written_in_line());
+  const std::string behind = fmt::format("{}{}{}{}{}{}}}", key_begin, text_of(key), result_begin,
+                                         result.written_in_line(), spent_begin, times.written_in_line());
   const std::string line = fmt::format("{}{}{}\n", line_begin, checksum_of(behind), behind);
   if (auto written = files::write_all(file_.number(), line, path_); !written) {
     // What was written of the line goes, so that the next one is whole; where it cannot, that is another shard's.
@@ -131,6 +132,15 @@ base::Result<void> ShardWriter::sync() {
   synced_ = std::chrono::steady_clock::now();
   if (::fdatasync(file_.number()) == 0 || errno == EINVAL) return {};
   return base::failure(files::system_failure("io-write", "cannot write", path_, errno));
+}
+
+// A line whose checksum is right is as add() has written it; in a text of JSON no quotation mark stands bare.
+ShardParts parts_of(const ShardLine& line) {
+  const std::size_t begin = key_place + key_digits + result_begin.size();
+  const std::size_t end = line.text.rfind(spent_begin);
+  if (end == std::string_view::npos || end < begin || !line.text.ends_with('}')) return {};
+  const std::string_view spent = line.text.substr(end + spent_begin.size());
+  return {line.text.substr(begin, end - begin), spent.substr(0, spent.size() - 1)};
 }
 
 base::Result<void> for_each_line(const std::string& folder, const std::function<void(const ShardLine&)>& line) {

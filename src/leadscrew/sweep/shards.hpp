@@ -56,6 +56,12 @@ struct ShardLine {
   std::string_view text;
 };
 
+/// What stands in a line, as it was written.
+struct ShardParts {
+  std::string_view result, spent;  ///< JSON objects; empty where there are none
+};
+ShardParts parts_of(const ShardLine& line);
+
 /// Calls with every whole line of all shards in the folder, in the order of their names; lines that are not whole are passed
 /// over. None where there is no folder. Errors: `io-open`, `io-read`, interruption.
 base::Result<void> for_each_line(const std::string& folder, const std::function<void(const ShardLine&)>& line);

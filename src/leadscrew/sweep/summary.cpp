@@ -5,14 +5,40 @@
 
 namespace leadscrew::sweep {
 
+namespace {
+
+constexpr std::size_t most_refused = 5;  // listed
+
+std::string word_in(const json::Json& row, std::string_view key) {
+  const json::Json* const value = row.find(key);
+  return value == nullptr || value->text() == nullptr ? std::string() : *value->text();
+}
+
+/// Rows of one program come one after the other.
+void observe_refusal(const json::Json& row, Summary& summary) {
+  const std::string program = word_in(row, "program"), code = word_in(row, "code");
+  if (std::string own = program + " " + code; own != summary.last_refused) {
+    summary.last_refused = std::move(own);
+  } else {
+    return;
+  }
+  if (summary.refused.size() >= most_refused) return void(++summary.more_refused);
+  const json::Json* const line = row.find("line");
+  const std::int64_t number = line == nullptr ? 0 : line->integer().value_or(0);
+  summary.refused.push_back(fmt::format("{}{}: {} [{}]", program, number > 0 ? fmt::format(":{}", number) : "",
+                                        word_in(row, "message"), code));
+}
+
+}  // namespace
+
 void observe(const json::Json& row, Summary& summary) {
-  const json::Json* const status = row.find("status");
-  const std::string text = status == nullptr || status->text() == nullptr ? "" : *status->text();
+  const std::string text = word_in(row, "status");
   ++summary.rows;
   summary.kept += text == "kept" ? 1 : 0;
   summary.not_kept += text == "not-kept" ? 1 : 0;
   summary.rejected += text == "rejected" ? 1 : 0;
   summary.unreadable += text == "unreadable" ? 1 : 0;
+  if (text == "rejected" || text == "unreadable") observe_refusal(row, summary);
   const json::Json* const time = row.find("time_s");
   if (time != nullptr) summary.time_s += time->number().value_or(0);
 }
@@ -55,6 +81,8 @@ std::string text_of(const Summary& summary, const results::Style&) {
   text += summary.failed > 0 ? fmt::format(", {} failed and are left to do\n", summary.failed) : "\n";
   text += fmt::format("results     {} kept, {} not kept, {} rejected, {} unreadable\n", summary.kept, summary.not_kept,
                       summary.rejected, summary.unreadable);
+  for (const std::string& each : summary.refused) text += fmt::format("refused     {}\n", each);
+  if (summary.more_refused > 0) text += fmt::format("            and {} more: results.html\n", summary.more_refused);
   if (!summary.rows_of_others.empty()) text += fmt::format("builds      {}\n", told_of_others(summary));
   text += fmt::format("motion      {:.1f} s in all\n", summary.time_s);
   text += fmt::format("processor   {:.1f} s this start, in {:.1f} s; all tasks together {:.1f} s\n",

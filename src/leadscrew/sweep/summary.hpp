@@ -19,10 +19,14 @@ struct Summary {
   std::int64_t done_before = 0, done = 0, failed = 0;                 ///< by this start and before it
   std::int64_t kept = 0, not_kept = 0, rejected = 0, unreadable = 0;  ///< of the rows
   std::map<std::string, std::int64_t> rows_of_others;                 ///< as Merged has them
-  double time_s = 0;                                                  ///< of all motions together
-  double tasks_processor_s = 0;  ///< s of the processor that the tasks of all rows took
-  double processor_s = 0;        ///< of this start, everything
-  double wall_s = 0;             ///< of this start
+  std::vector<std::string>
+      refused;  ///< the first programs that were rejected or cannot be read, each once: place and error
+  std::int64_t more_refused = 0;  ///< that are not listed
+  std::string last_refused;       ///< program and code
+  double time_s = 0;              ///< of all motions together
+  double tasks_processor_s = 0;   ///< s of the processor that the tasks of all rows took
+  double processor_s = 0;         ///< of this start, everything
+  double wall_s = 0;              ///< of this start
   std::vector<std::string> files;
   std::vector<Sensitivity> sensitivities;  ///< where limits were changed
 };
