@@ -8,6 +8,6 @@ function(run)
   endif()
 endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/installed)
-run(${CMAKE_COMMAND} -S ${SOURCES}/integrations/linuxcnc -B ${SCRATCH}/module -G Ninja -DCMAKE_BUILD_TYPE=Release
+run(${CMAKE_COMMAND} -S ${SOURCES}/integrations/linuxcnc -B ${SCRATCH}/module -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=ON
   -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_PREFIX_PATH=${SCRATCH}/installed)
 run(${CMAKE_COMMAND} --build ${SCRATCH}/module)

@@ -14,25 +14,21 @@ EXAMPLE = simulator.HERE.parent / "example"
 # Beside AXIS, with Debian's Python: switches on, runs the program, looks.
 BESIDE = """
 import json, pathlib, subprocess, time
-for attempt in range(600):
-    try:
-        from screen import at_rest, command, complaints, hal, mdi, polled, status, wait_until
-        status.poll()
-        if "axisui.notifications-clear" in hal("-s", "show", "pin", "axisui.*"):
-            break
-    except Exception:
-        pass
+for _ in range(600):
+    shown = subprocess.run(["halcmd", "-s", "show", "comp"], capture_output=True, text=True).stdout
+    if "axisui" in shown:
+        break
     time.sleep(0.1)
+from screen import at_rest, command, complaints, hal, mdi, polled, status, wait_until
 import linuxcnc
 from PIL import ImageGrab
 time.sleep(3)
 # AXIS gives commands of its own meanwhile.
 for state, found in ((linuxcnc.STATE_ESTOP_RESET, linuxcnc.STATE_ESTOP), (linuxcnc.STATE_ON, linuxcnc.STATE_ESTOP_RESET)):
-    for attempt in range(50):
+    for _ in range(50):
         command.state(state)
         time.sleep(0.2)
         status.poll()
-        print(state, status.task_state, complaints(), flush=True)
         if status.task_state != found:
             break
 command.mode(linuxcnc.MODE_MANUAL)
@@ -72,8 +68,8 @@ def main(module, picture):
         for path in (*EXAMPLE.iterdir(), simulator.SCREEN):
             shutil.copy(path, scratch)
         (scratch / "beside.py").write_text(BESIDE)
-        command = ("(Xvfb :7 -screen 0 1100x800x24 >xvfb.log 2>&1 & export DISPLAY=:7; sleep 2; /usr/bin/python3 beside.py >beside.log 2>&1 &"
-                   " exec timeout 150 linuxcnc leadscrew.ini)")
+        command = ("Xvfb :7 -screen 0 740x752x24 >xvfb.log 2>&1 & export DISPLAY=:7; sleep 2;"
+                   " /usr/bin/python3 beside.py >beside.log 2>&1 & exec timeout 150 linuxcnc leadscrew.ini")
         log = simulator.run(module, scratch, command)
         found = scratch / "axis.json"
         if not found.exists():
