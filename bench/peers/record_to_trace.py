@@ -15,7 +15,8 @@ LETTERS = {3: "XYZ", 5: "XYZAC"}  # by how many columns there are
 def words(record):
     """The recorded positions, nanometres; every servo period has to be there."""
     # halsampler says "overrun" where its numbering does not go on, also when it only begins late: trust the numbers.
-    rows = [line.split() for line in open(record) if line.strip() != "overrun"]
+    with open(record) as file:
+        rows = [line.split() for line in file if line.strip() != "overrun"]
     numbers = [int(row[0]) for row in rows]
     for last, number in zip(numbers, numbers[1:]):
         if number != last + 1:

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-2.0-only
  *
  * The module: loadrt leadscrew_tp jerk=20000. It is loaded before motmod, which looks for the functions of tp.c. */
+#include <malloc.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,6 +19,9 @@ RTAPI_MP_STRING(jerk,
                 "limit of jerk, units/s^3: of linear axes; or of linear,rotary axes; or of all of X,Y,Z,A,B,C,U,V,W")
 static char* tolerance = NULL;
 RTAPI_MP_STRING(tolerance, "units: of G64 without P; 0.01 mm if not given")
+static char* machine = NULL;
+RTAPI_MP_STRING(machine,
+                "file of a machine with two rotary axes, whose kinematics are those of the module that motmod calls")
 static int quiet_ms = 100;
 RTAPI_MP_INT(quiet_ms, "milliseconds without a move until motion begins along those there are")
 static int ahead_ms = 40;
@@ -72,6 +76,7 @@ static int read_options(struct leadscrew_tp_options* options, double limits[lead
                     ahead_ms);
     return -1;
   }
+  options->machine = machine;
   options->quiet = 1e-3 * quiet_ms;
   options->ahead = 1e-3 * ahead_ms;
   return 0;
@@ -82,6 +87,11 @@ int rtapi_app_main(void) {
   double limits[leadscrew_tp_axes];
   leadscrew_state.mm = inch ? 25.4 : 1;
   if (read_options(&options, limits, leadscrew_state.mm) != 0) return -1;
+#ifdef __GLIBC__
+  /* The thread of planning shares the heap that rtapi_app never gives back: one of its own would grow and shrink, and each change
+   * of this process' pages interrupts the servo thread on its processor. */
+  mallopt(M_ARENA_MAX, 1);
+#endif
   /* So that the system gives this memory now, not to the servo thread, where it is not locked. */
   memset(leadscrew_state.entries, 0, sizeof leadscrew_state.entries);
   component = hal_init("leadscrew_tp");

@@ -3,6 +3,7 @@
  * Moves on their way to Leadscrew, and where motion is set down. */
 #include <math.h>
 
+#include "agreement.h"
 #include "motion_types.h"
 #include "pins.h"
 #include "rtapi.h"
@@ -47,6 +48,8 @@ static struct leadscrew_tp_limits limits_now(void) {
     limits.acceleration[axis] = leadscrew_state.acceleration_limit(axis) * mm;
     limits.jerk[axis] = pins_jerk(axis) * mm;
   }
+  const int has_machine = leadscrew_tp_machine_axes(leadscrew_state.planning) != 0;
+  limits.tool = has_machine ? leadscrew_state.status->tool_offset.tran.z * leadscrew_state.mm : 0;
   return limits;
 }
 
@@ -57,7 +60,7 @@ int limits_changed(void) {
         limits.jerk[axis] != before->jerk[axis])
       return 1;
   }
-  return 0;
+  return limits.tool != before->tool;
 }
 
 void set_down(TP_STRUCT* tp) {
@@ -174,6 +177,13 @@ static void synchronize(const TP_STRUCT* tp, struct entry* entry) {
   }
 }
 
+/* It would keep no limits of the axes. */
+static int is_thread_of_tip(const struct entry* entry) {
+  if (entry->kind < thread_move || leadscrew_tp_machine_axes(leadscrew_state.planning) == 0) return 0;
+  rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: no threads or taps where rotary axes make the kinematics\n");
+  return 1;
+}
+
 static enum leadscrew_tp_join join_of(int condition) {
   if (condition == TC_TERM_COND_STOP) return leadscrew_tp_stop;
   return condition == TC_TERM_COND_EXACT ? leadscrew_tp_exact : leadscrew_tp_blend;
@@ -196,13 +206,12 @@ static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entr
   struct state* state = &leadscrew_state;
   if (tp->aborting) return TP_ERR_OK; /* it would be forgotten at once */
   if (state->has_failed || !(ini_maxvel > 0)) return TP_ERR_FAIL;
-  if (tp->done && limits_changed()) {
-    set_down(tp);
-  }
+  if (tp->done && limits_changed()) set_down(tp);
+  if (tp->done && !kinematics_agree()) return TP_ERR_FAIL;
   if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
   if (entry->kind == free_move) synchronize(tp, entry);
   if (move->is_arc && entry->kind == thread_move) return TP_ERR_FAIL;
-  if (is_thread_without_length(entry)) return TP_ERR_FAIL;
+  if (is_thread_without_length(entry) || is_thread_of_tip(entry)) return TP_ERR_FAIL;
   fill(tp, move, entry, ini_maxvel);
   move->number = state->added + 1;
   entry->id = tp->nextId;

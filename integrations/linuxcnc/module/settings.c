@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-2.0-only
  *
  * Functions that motmod calls to set what holds for the moves that follow, and to ask what it is told each period. */
+#include "agreement.h"
 #include "rtapi.h"
 #include "state.h"
 
@@ -28,6 +29,7 @@ int tpCreate(TP_STRUCT* const tp, int queue_size, int id) {
   tp->spindle.waiting_for_index = MOTION_INVALID_ID;
   tp->spindle.waiting_for_atspeed = MOTION_INVALID_ID;
   leadscrew_state.indexer = -1;
+  kinematics_find();
   ZERO_EMC_POSE(tp->currentPos);
   return tpClear(tp);
 }

@@ -50,6 +50,12 @@ gcode::PathMode path_mode(leadscrew_tp_join join) {
   return gcode::PathMode::blend;
 }
 
+base::Result<machine::Machine> sound(const machine::Machine& machine) {
+  const std::vector<base::Diagnostic> problems = machine::validate(machine);
+  if (!problems.empty()) return base::failure(problems.front());
+  return machine;
+}
+
 }  // namespace
 
 std::string told(const base::Diagnostic& diagnostic) {
@@ -58,11 +64,21 @@ std::string told(const base::Diagnostic& diagnostic) {
 }
 
 base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, const leadscrew_tp_options& options,
-                                          std::int64_t period_ns) {
-  machine::Machine machine;
-  machine.name = "LinuxCNC";
+                                          std::int64_t period_ns, const Kinematics& kinematics) {
+  machine::Machine machine = kinematics.machine().value_or(machine::Machine{});
   machine.period.nanoseconds = period_ns;
   machine.tolerance = options.tolerance;
+  if (kinematics.machine()) {
+    for (const base::Axis axis : base::all_axes) {
+      if (!machine.has(axis)) continue;
+      machine::AxisLimits& own = *machine.axes[base::index(axis)];
+      own.travel_min = -travel;
+      own.travel_max = travel;
+      own.jerk = std::min(own.jerk, limits.jerk[base::index(axis)]);
+    }
+    return sound(machine);
+  }
+  machine.name = "LinuxCNC";
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     if (limits.velocity[i] <= 0 || limits.acceleration[i] <= 0) continue;
@@ -73,39 +89,48 @@ base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, con
                                           .jerk = limits.jerk[i],
                                           .blu = 1e-6};
   }
-  const std::vector<base::Diagnostic> problems = machine::validate(machine);
-  if (!problems.empty()) return base::failure(problems.front());
-  return machine;
+  return sound(machine);
 }
 
 base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start,
-                                  const machine::Machine& machine) {
+                                  const machine::Machine& machine, double tool) {
+  const bool is_of_tip = machine.rotary_chain.has_value();
+  const double lift = is_of_tip ? tool : 0;
   Position end;
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
     end[i] = machine.has(axis) ? asked.end[i] : start[i];
   }
+  end[2] -= lift;
+  std::array center = std::to_array(asked.center);
+  center[2] -= lift;
   gcode::Move move = host::line(end, asked.speed);
   if (asked.is_arc) {
     const gcode::Plane plane =
         std::array{gcode::Plane::XY, gcode::Plane::ZX, gcode::Plane::YZ}.at(static_cast<std::size_t>(asked.plane));
-    move = host::arc(end, plane, asked.center[base::index(first_axis(plane))],
-                     asked.center[base::index(second_axis(plane))], asked.turns, asked.speed);
+    move = host::arc(end, plane, center[base::index(first_axis(plane))], center[base::index(second_axis(plane))],
+                     asked.turns, asked.speed);
   }
   move.line = base::line_at(asked.number);
+  move.is_of_tip = is_of_tip;
+  move.tool = {0, 0, lift};
   if (auto sound = host::put_behind(start, machine, move); !sound) return base::failure(sound.error());
   move.path_mode = path_mode(asked.join);
-  if (asked.join == leadscrew_tp_blend)
+  if (asked.join == leadscrew_tp_blend) {
     move.tolerance = move.naive_cam_tolerance = asked.tolerance > 0 ? asked.tolerance : machine.tolerance;
+    move.orientation_tolerance = is_of_tip ? machine.rotary_chain->orientation_tolerance : 0;
+  }
   return move;
 }
 
-Engine::Engine(machine::Machine machine, const Position& position, const leadscrew_tp_options& options)
+Engine::Engine(machine::Machine machine, const Kinematics& kinematics, const Position& pose, double tool,
+               const leadscrew_tp_options& options)
     : machine_(std::move(machine)),
+      tool_(tool),
       options_(options),
-      moves_(machine_, position),
-      source_([this](gcode::Move& move) { return give(move); }, machine_, position),
-      controller_(machine_.period, position, chunks),
+      moves_(machine_, kinematics.tip_of(pose, tool)),
+      source_([this](gcode::Move& move) { return give(move); }, machine_, kinematics.axes_of(pose, tool)),
+      controller_(machine_.period, kinematics.axes_of(pose, tool), chunks),
       planning_(planning()),
       feeder_(planning_, controller_, far_ahead * options.ahead, options.ahead) {
   source_.planner().slice(short_slice);
@@ -137,7 +162,7 @@ pipeline::Supply Engine::give(gcode::Move& move) {
 }
 
 base::Result<void> Engine::push(const leadscrew_tp_move& asked) {
-  auto move = move_of(asked, moves_.end(), machine_);
+  auto move = move_of(asked, moves_.end(), machine_, tool_);
   if (!move) return base::failure(move.error());
   if (!is_open_) {
     has_begun_ = false;

@@ -14,6 +14,7 @@
 #include <leadscrew/realtime.hpp>
 #include <string>
 
+#include "kinematics.hpp"
 #include "link.hpp"
 #include "speeds_ahead.hpp"
 
@@ -21,13 +22,14 @@ namespace leadscrew::linuxcnc {
 
 /// "arc-radius: arc radius is 0; both ends lie on one circle around the centre".
 std::string told(const base::Diagnostic& diagnostic);
-/// The machine that these limits describe: cartesian, without ends of travel, for these are LinuxCNC's. Codes:
-/// those of machine::validate().
+/// The machine that these limits describe, or that of the kinematics, with no more jerk than these allow; without ends of travel,
+/// for these are LinuxCNC's. Codes: those of machine::validate().
 base::Result<machine::Machine> machine_of(const leadscrew_tp_limits& limits, const leadscrew_tp_options& options,
-                                          std::int64_t period_ns);
-/// The move behind a start, mm or degrees, on the machine. Codes: those of host::put_behind().
+                                          std::int64_t period_ns, const Kinematics& kinematics);
+/// The move behind a start, mm or degrees, on the machine; with rotary axes that make its kinematics, of the tip of a tool so long,
+/// mm. Codes: those of host::put_behind().
 base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position& start,
-                                  const machine::Machine& machine);
+                                  const machine::Machine& machine, double tool);
 
 /// What is asked of motion now.
 struct Wanted {
@@ -39,7 +41,9 @@ struct Wanted {
 /// The thread of planning's, but for controller().next(). The machine is sound (machine::validate).
 class Engine {
  public:
-  Engine(machine::Machine machine, const Position& position, const leadscrew_tp_options& options);
+  /// From this pose, with a tool so long, mm.
+  Engine(machine::Machine machine, const Kinematics& kinematics, const Position& pose, double tool,
+         const leadscrew_tp_options& options);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -73,6 +77,7 @@ class Engine {
   double quiet() const;
 
   const machine::Machine machine_;
+  const double tool_;
   const leadscrew_tp_options options_;
   host::MoveQueue moves_;
   pipeline::MotionSource source_;

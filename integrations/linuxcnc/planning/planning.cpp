@@ -1,8 +1,12 @@
 #include "planning.h"
 
 #include <algorithm>
+#include <leadscrew/files.hpp>
 #include <memory>
 #include <new>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "link.hpp"
 #include "planning_thread.hpp"
@@ -10,6 +14,7 @@
 namespace {
 
 using leadscrew::interpolator::Controller;
+using leadscrew::linuxcnc::Kinematics;
 using leadscrew::linuxcnc::Link;
 using leadscrew::linuxcnc::PlanningThread;
 using leadscrew::linuxcnc::Position;
@@ -19,8 +24,10 @@ using leadscrew::linuxcnc::Request;
 
 /// The link, the thread at its other end, and what the servo thread keeps.
 struct leadscrew_tp {
-  leadscrew_tp(const leadscrew_tp_options& options, void (*report)(const char*)) : thread(link, options, report) {}
+  leadscrew_tp(Kinematics of_machine, const leadscrew_tp_options& options, void (*report)(const char*))
+      : kinematics(std::move(of_machine)), thread(link, kinematics, options, report) {}
 
+  const Kinematics kinematics;
   Link link;
   PlanningThread thread;
 
@@ -35,9 +42,47 @@ struct leadscrew_tp {
   bool is_unsaid = false;  ///< there was no room for that in the ring
 };
 
+namespace {
+
+/// Of the machine's file; none where it has a problem, which is reported.
+std::optional<Kinematics> kinematics_of(const char* file, void (*report)(const char*)) {
+  if (!file) return Kinematics();
+  auto machine = leadscrew::config::load_machine(file);
+  if (!machine) {
+    for (const leadscrew::base::Diagnostic& problem : machine.error())
+      report((std::string(file) + ": " + leadscrew::linuxcnc::told(problem)).c_str());
+    return std::nullopt;
+  }
+  if (!machine->rotary_chain) {
+    report((std::string(file) + " tells no kinematics of two rotary axes; leave machine= out").c_str());
+    return std::nullopt;
+  }
+  return Kinematics(std::move(*machine));
+}
+
+}  // namespace
+
+void leadscrew_tp_axes_of(const leadscrew_tp* tp, const double pose[leadscrew_tp_axes], double tool,
+                          double axes[leadscrew_tp_axes]) {
+  Position place;
+  std::copy_n(pose, leadscrew_tp_axes, place.begin());
+  const Position found = tp->kinematics.axes_of(place, tool);
+  std::copy(found.begin(), found.end(), axes);
+}
+
+unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp) {
+  unsigned axes = 0;
+  if (!tp->kinematics.machine()) return axes;
+  for (const leadscrew::base::Axis axis : leadscrew::base::all_axes)
+    axes |= unsigned{tp->kinematics.machine()->has(axis)} << leadscrew::base::index(axis);
+  return axes;
+}
+
 leadscrew_tp* leadscrew_tp_create(const leadscrew_tp_options* options, void (*report)(const char*)) {
   try {
-    auto tp = std::make_unique<leadscrew_tp>(*options, report);
+    const std::optional<Kinematics> kinematics = kinematics_of(options->machine, report);
+    if (!kinematics) return nullptr;
+    auto tp = std::make_unique<leadscrew_tp>(*kinematics, *options, report);
     return tp->thread.start() ? tp.release() : nullptr;
   } catch (const std::bad_alloc&) {
     return nullptr;
@@ -123,7 +168,7 @@ void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, lea
   const bool is_made = link.made.load(std::memory_order_acquire) == tp->set_down;
   if (tp->controller) {
     const leadscrew::base::Word next = tp->controller->next();
-    tp->position = next.position;
+    tp->position = tp->kinematics.pose_of(next.position, tp->where.limits.tool);
     tp->speed = next.speed;
     tp->number = std::max(tp->number, static_cast<std::uint32_t>(leadscrew::base::number(next.line)));
   }

@@ -26,13 +26,17 @@ struct leadscrew_tp_limits {
   double velocity[leadscrew_tp_axes];     /**< mm/s or degrees/s, ≥ 0 */
   double acceleration[leadscrew_tp_axes]; /**< mm/s² or degrees/s², ≥ 0 */
   double jerk[leadscrew_tp_axes];         /**< mm/s³ or degrees/s³, > 0 */
+  double tool;                            /**< its length, mm; of a machine's kinematics */
 };
 
 /** What does not change while the module is loaded. */
 struct leadscrew_tp_options {
   double tolerance; /**< mm, > 0: of G64 without P */
   double quiet;     /**< s ≥ 0 without a move until motion begins along those there are */
-  double ahead;     /**< s > 0 of motion that are settled ahead, where planning is in time */
+  const char*
+      machine; /**< file of a machine with two rotary axes, which tells its kinematics and the axes' limits; NULL: poses are
+                          the axes */
+  double ahead; /**< s > 0 of motion that are settled ahead, where planning is in time */
 };
 
 /** How a move is joined to the next. */
@@ -86,8 +90,14 @@ struct leadscrew_tp_figures {
 
 typedef struct leadscrew_tp leadscrew_tp;
 
+/** Any thread's: where the axes are at a pose, with a tool so long, mm and degrees. */
+void leadscrew_tp_axes_of(const leadscrew_tp* tp, const double pose[leadscrew_tp_axes], double tool,
+                          double axes[leadscrew_tp_axes]);
+/** Any thread's: which axes there are by the machine's file, as bits from X, 1; 0 without such a file. */
+unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp);
+
 /** Starts the thread of planning, of no priority. `report` gets a line for each problem, on that thread, and must outlive
- * it. NULL where there is no memory or no thread. */
+ * it. NULL where there is no memory or no thread, or the machine's file has a problem, which is reported. */
 leadscrew_tp* leadscrew_tp_create(const struct leadscrew_tp_options* options, void (*report)(const char* message));
 /** Ends the thread. The servo thread calls nothing any more. */
 void leadscrew_tp_destroy(leadscrew_tp* tp);

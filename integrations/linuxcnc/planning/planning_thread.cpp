@@ -117,12 +117,12 @@ void PlanningThread::set_down() {
 
 void PlanningThread::make_engine(const Position& position) {
   link_.controller.store(nullptr, std::memory_order_relaxed);
-  auto machine = machine_of(where_.limits, options_, where_.period_ns);
+  auto machine = machine_of(where_.limits, options_, where_.period_ns, kinematics_);
   if (!machine) {  // LinuxCNC has not told its limits yet
     problem_ = told(machine.error());
     return;
   }
-  engine_ = std::make_unique<Engine>(std::move(*machine), position, options_);
+  engine_ = std::make_unique<Engine>(std::move(*machine), kinematics_, position, where_.limits.tool, options_);
   link_.controller.store(&engine_->controller(), std::memory_order_release);
 }
 

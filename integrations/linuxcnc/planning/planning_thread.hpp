@@ -20,8 +20,9 @@ namespace leadscrew::linuxcnc {
 class PlanningThread {
  public:
   /// `report` gets a line for each problem.
-  PlanningThread(Link& link, const leadscrew_tp_options& options, void (*report)(const char*))
-      : link_(link), options_(options), report_(report) {}
+  PlanningThread(Link& link, const Kinematics& kinematics, const leadscrew_tp_options& options,
+                 void (*report)(const char*))
+      : link_(link), kinematics_(kinematics), options_(options), report_(report) {}
   /// Ends it.
   ~PlanningThread();
   PlanningThread(const PlanningThread&) = delete;
@@ -45,6 +46,7 @@ class PlanningThread {
   void tell();
 
   Link& link_;
+  const Kinematics& kinematics_;
   const leadscrew_tp_options options_;
   void (*const report_)(const char*);
   std::atomic<bool> ends_{false};

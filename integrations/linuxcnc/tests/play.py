@@ -73,7 +73,7 @@ def play(job):
             act(what, value)
         wait_until(at_rest, f"the end of {job['name']}", PATIENCE)
     status.poll()
-    end = {"position": status.position[:3], "servo_thread_ns": hal("getp", "motion-controller.tmax")}
+    end = {"position": status.position[:6], "servo_thread_ns": hal("getp", "motion-controller.tmax")}
     pathlib.Path(job["name"] + ".end").write_text(json.dumps(end))
     pathlib.Path(job["name"] + ".said").write_text("\n".join(complaints()))
 

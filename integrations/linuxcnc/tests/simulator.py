@@ -40,13 +40,13 @@ def run(module, scratch, command):
     return ran.stdout + ran.stderr
 
 
-def play(module, planner, jobs, seconds=600, hal="machine.hal", hal_text=None):
+def play(module, planner, jobs, seconds=600, hal="machine.hal", hal_text=None, ini_text=None):
     """Plays jobs (play.py) with this planner of [TRAJ]TPMOD and this HAL file, or its text; returns {name: (record, said, end)},
     and LinuxCNC's log."""
     with tempfile.TemporaryDirectory(dir="/var/tmp") as scratch:
         scratch = pathlib.Path(scratch)
         ini = (HERE / "machine.ini").read_text().replace("@PLANNER@", planner).replace("@HAL@", hal)
-        (scratch / "machine.ini").write_text(ini)
+        (scratch / "machine.ini").write_text(ini_text or ini)
         (scratch / hal).write_text(hal_text or (HERE / hal).read_text())
         for script in (HERE / "play.py", SCREEN):
             shutil.copy(script, scratch)

@@ -53,7 +53,7 @@ void report(const char* message) {
 class Servo {
  public:
   Servo() {
-    const leadscrew_tp_options options{0.01, 0.1, 0.04};
+    const leadscrew_tp_options options{0.01, 0.1, nullptr, 0.04};
     reported.clear();
     reported.reserve(400);  // none is to be had where it is told that there is none
     is_spared = true;

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-2.0-only
+ *
+ * Pins of a kinematics module (points, offsets, the tool's length, directions) may be set wrong, or otherwise than a machine's file
+ * has them. Then motion that is planned within the limits of its axes would be another's. So both are asked, whenever motion
+ * begins, for pins can be changed at any time. */
+#include "agreement.h"
+
+#include <dlfcn.h>
+#include <math.h>
+
+#include "kinematics.h"
+#include "rtapi.h"
+#include "state.h"
+
+enum { poses = 20 };
+static const double most_difference = 1e-6; /* mm or degrees */
+
+static int (*inverse)(const struct EmcPose*, double*, const KINEMATICS_INVERSE_FLAGS*, KINEMATICS_FORWARD_FLAGS*);
+
+void kinematics_find(void) {
+  inverse = (__typeof__(inverse))dlsym(RTLD_DEFAULT, "kinematicsInverse");
+}
+
+/* Pose n, spread over 200 mm and 180 degrees of each axis of the machine. */
+static void pose_at(int n, unsigned axes, double pose[leadscrew_tp_axes]) {
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
+    const double share = fmod((n + 1) * sqrt(axis + 2.), 1) - 0.5;
+    pose[axis] = axes >> axis & 1 ? share * (axis >= 3 && axis < 6 ? 180 : 200) : 0;
+  }
+}
+
+static int agree_at(const double place[leadscrew_tp_axes], unsigned axes, double tool) {
+  double joints[EMCMOT_MAX_JOINTS] = {0}, own[leadscrew_tp_axes];
+  KINEMATICS_INVERSE_FLAGS inverse_flags = 0;
+  KINEMATICS_FORWARD_FLAGS forward_flags = 0;
+  EmcPose pose;
+  pose_of(place, &pose);
+  leadscrew_tp_axes_of(leadscrew_state.planning, place, tool, own);
+  if (inverse(&pose, joints, &inverse_flags, &forward_flags) != 0) return 0;
+  for (int axis = 0, joint = 0; axis < leadscrew_tp_axes; ++axis) {
+    if (!(axes >> axis & 1)) continue;
+    const double theirs = joints[joint] * (axis >= 3 && axis < 6 ? 1 : leadscrew_state.mm);
+    if (fabs(theirs - own[axis]) > most_difference) {
+      rtapi_print_msg(
+          RTAPI_MSG_ERR,
+          "leadscrew_tp: kinematics differ: joint %d at X%g Y%g Z%g A%g B%g C%g is %.6f by their module, %.6f by the "
+          "machine's file; make pins and file the same\n",
+          joint, place[0], place[1], place[2], place[3], place[4], place[5], theirs, own[axis]);
+      return 0;
+    }
+    ++joint;
+  }
+  return 1;
+}
+
+int kinematics_agree(void) {
+  const unsigned axes = leadscrew_tp_machine_axes(leadscrew_state.planning);
+  if (axes == 0) return 1;
+  if (!inverse) {
+    rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: there is no kinematics module to compare the machine's file with\n");
+    return 0;
+  }
+  double pose[leadscrew_tp_axes];
+  for (int n = 0; n < poses; ++n) {
+    pose_at(n, axes, pose);
+    if (!agree_at(pose, axes, leadscrew_state.limits.tool)) return 0;
+  }
+  return 1;
+}
