@@ -2,6 +2,7 @@
 #include <cmath>
 #include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/planner/knot_samples.hpp>
+#include <limits>
 
 namespace leadscrew::planner {
 
@@ -29,7 +30,41 @@ double quantity_to(std::span<const KnotSample> samples, std::size_t first, doubl
   return quantity(a, here);
 }
 
+/// Squares of q″ and q‴.
+struct Bends {
+  double second = 0, third = 0;
+};
+Bends bends(const geometry::PointJet& jet, bool is_of_tip, double tangent_acceleration,
+            const constraints::Constraints& constraints) {
+  Bends bends;
+  for (const base::Axis axis : base::all_axes) {
+    const numeric::Jet<>& q = jet[base::index(axis)];
+    if (q.second == 0 && q.third == 0) continue;
+    const double weight = is_of_tip ? tangent_acceleration / constraints.of_axis(axis).acceleration : 1;
+    bends.second += weight * q.second * (weight * q.second);
+    bends.third += weight * q.third * (weight * q.third);
+  }
+  return bends;
+}
+
 }  // namespace
+
+KnotSample sample_of(const constraints::Place& place, double s, double from_rest, bool is_of_tip,
+                     const constraints::Constraints& constraints) {
+  const machine::Derivatives t = tangent_limits(place.jet, constraints);
+  KnotSample sample;
+  sample.s = s;
+  sample.a = t.acceleration;
+  sample.j = t.jerk;
+  sample.greatest = std::min(constraints.greatest_square(place), constraints.greatest_square_by_curve(place));
+  sample.is_by_feed = sample.greatest == squared(place.feed);
+  sample.reach = sample.cap = std::min(sample.greatest, squared(numeric::cbrt(4.5 * t.jerk * from_rest * from_rest)));
+  const auto [second, third] = bends(place.jet, is_of_tip, t.acceleration, constraints);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  sample.h_curve = std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity,
+                            third > 0 ? 0.2 / std::sqrt(std::sqrt(third)) : infinity);
+  return sample;
+}
 
 void grade(std::span<KnotSample> samples, double grading) {
   const auto limit = [&](KnotSample& sample, const KnotSample& by) {

@@ -19,6 +19,13 @@ struct KnotSample {
   bool is_by_feed = false;  ///< is it feed that says the greatest?
 };
 
+/// At s on a section, `from_rest` before or behind the nearest place of rest: all but h, and reach no farther than the cap.
+/// is_of_tip: are axes moved by a transformation there? Then degrees and millimetres are beside one another, and a unit of
+/// path length may be many of either: in what the curve asks each axis counts as its limit has it beside the one that binds
+/// the tangent.
+KnotSample sample_of(const constraints::Place& place, double s, double from_rest, bool is_of_tip,
+                     const constraints::Constraints& constraints);
+
 /// Lowers h until it grows along the section, forwards and backwards, by no more than `grading` of the distance.
 void grade(std::span<KnotSample> samples, double grading);
 

@@ -109,42 +109,8 @@ class Placement {
   }
 
   Sample at(double s, Side side) const {
-    const SeenPlace seen = section_.see(s, side);
-    const geometry::PointJet& jet = seen.jet;
-    const machine::Derivatives t = tangent_limits(jet, constraints_);
-    Sample sample;
-    sample.s = s;
-    sample.a = t.acceleration;
-    sample.j = t.jerk;
-    const constraints::Place place = seen.at_feed(range_.feed_factor);
-    double cap = std::min(constraints_.greatest_square(place), constraints_.greatest_square_by_curve(place));
-    const auto [second, third] = bends(jet, s, side, t.acceleration);
-    sample.greatest = cap;
-    sample.is_by_feed = cap == squared(place.feed);
-    const double d = from_rest(s);
-    cap = std::min(cap, squared(numeric::cbrt(4.5 * t.jerk * d * d)));
-    sample.cap = sample.reach = cap;
-    sample.h_curve = std::min(second > 0 ? 0.08 / std::sqrt(second) : infinity,
-                              third > 0 ? 0.2 / std::sqrt(std::sqrt(third)) : infinity);
-    return sample;
-  }
-
-  /// Squares of q″ and q‴. Under a transformation degrees and millimetres are beside one another, and a unit of path length
-  /// may be many of either: there each axis counts as its limit has it beside the one that binds the tangent.
-  struct Bends {
-    double second = 0, third = 0;
-  };
-  Bends bends(const geometry::PointJet& jet, double s, Side side, double tangent_acceleration) const {
-    Bends bends;
     const bool is_of_tip = section_.piece(section_.piece_at(s, side)).transformation != nullptr;
-    for (const base::Axis axis : base::all_axes) {
-      const numeric::Jet<>& q = jet[base::index(axis)];
-      if (q.second == 0 && q.third == 0) continue;
-      const double weight = is_of_tip ? tangent_acceleration / constraints_.of_axis(axis).acceleration : 1;
-      bends.second += weight * q.second * (weight * q.second);
-      bends.third += weight * q.third * (weight * q.third);
-    }
-    return bends;
+    return sample_of(section_.see(s, side).at_feed(range_.feed_factor), s, from_rest(s), is_of_tip, constraints_);
   }
 
   static double ramp_width(const Sample& sample, double x, double per) {
