@@ -165,7 +165,8 @@ class RandomProgram {
       at_[axis] = rounded(at_[axis] + 1 + size());
       word("XYZ"[axis], at_[axis]);
     }
-    text_ += " F" + std::to_string(draws_.any(5, 200)) + "\nG94 F" + std::to_string(draws_.any(60, 9000)) + '\n';
+    const std::string feed_behind = std::to_string(draws_.any(60, 9000));  // drawn first
+    text_ += " F" + std::to_string(draws_.any(5, 200)) + "\nG94 F" + feed_behind + '\n';
   }
 
   /// An arc from here through some angle about a centre not far away, its end rounded as a CAM rounds it.
