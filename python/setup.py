@@ -1,7 +1,8 @@
 """pip install --no-build-isolation . : in this folder of the source tree, offline.
 
-The compiled module is a target of the project's own build, LEADSCREW_PYTHON. It is built in build/release of the tree, where
-what is there is not compiled again, or in the folder that LEADSCREW_BUILD names.
+The compiled module is that of an installed leadscrew of the same version, where CMake's find_package knows one that has a module
+for this interpreter. Otherwise, and where LEADSCREW_BUILD names a folder, it is a target of the project's own build,
+LEADSCREW_PYTHON: built in that folder or in build/release of the tree, where what is there is not compiled again.
 """
 
 import os
@@ -10,6 +11,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
@@ -20,24 +22,39 @@ BUILD = pathlib.Path(os.environ.get("LEADSCREW_BUILD", TREE / "build" / "release
 
 
 class CMakeBuild(build_ext):
-    """Has CMake build the module, and takes it from there."""
+    """Has CMake find or build the module, and takes it from there."""
 
     def build_extension(self, extension):
-        if not (BUILD / "CMakeCache.txt").exists():
-            subprocess.check_call(["cmake", "-S", TREE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                                   "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DLEADSCREW_PYTHON=ON"])
-        elif not (BUILD / "python" / "leadscrew").exists():
-            subprocess.check_call(["cmake", "-S", TREE, "-B", BUILD, "-DLEADSCREW_PYTHON=ON"])
-        subprocess.check_call(["cmake", "--build", BUILD, "--target", "leadscrew_python"])
-        made = sorted((BUILD / "python" / "leadscrew").glob("_core.*.so"))
-        if len(made) != 1:
-            raise RuntimeError(f"expected one module _core in {BUILD}/python/leadscrew, found {len(made)}")
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
-        if made[0].name != target.name:
-            raise RuntimeError(f"expected {target.name}, a module for {sys.executable}, found {made[0].name} in {BUILD}: name another "
-                               "folder by LEADSCREW_BUILD, configured with -DPython3_EXECUTABLE= for this interpreter")
+        made = None if "LEADSCREW_BUILD" in os.environ else installed(target.name)
         target.parent.mkdir(parents=True, exist_ok=True)
-        shutil.copy(made[0], target)
+        shutil.copy(made or built(target.name), target)
+
+
+def installed(name):
+    """The module of this name of an installed leadscrew of this version; None where there is none."""
+    with tempfile.TemporaryDirectory() as scratch:
+        found = pathlib.Path(scratch) / "found"
+        subprocess.run(["cmake", "-S", HERE / "installed", "-B", scratch, f"-DVERSION={version()}", f"-DMODULE={name}", f"-DFOUND={found}"],
+                       stdout=subprocess.DEVNULL, check=True)
+        return pathlib.Path(found.read_text(encoding="utf-8")) if found.exists() else None
+
+
+def built(name):
+    """The module of this name, made by the project's own build."""
+    if not (BUILD / "CMakeCache.txt").exists():
+        subprocess.check_call(["cmake", "-S", TREE, "-B", BUILD, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                               "-DCMAKE_CXX_FLAGS_RELEASE=-O2 -DNDEBUG", "-DLEADSCREW_PYTHON=ON"])
+    elif not (BUILD / "python" / "leadscrew").exists():
+        subprocess.check_call(["cmake", "-S", TREE, "-B", BUILD, "-DLEADSCREW_PYTHON=ON"])
+    subprocess.check_call(["cmake", "--build", BUILD, "--target", "leadscrew_python"])
+    made = sorted((BUILD / "python" / "leadscrew").glob("_core.*.so"))
+    if len(made) != 1:
+        raise RuntimeError(f"expected one module _core in {BUILD}/python/leadscrew, found {len(made)}")
+    if made[0].name != name:
+        raise RuntimeError(f"expected {name}, a module for {sys.executable}, found {made[0].name} in {BUILD}: name another "
+                           "folder by LEADSCREW_BUILD, configured with -DPython3_EXECUTABLE= for this interpreter")
+    return made[0]
 
 
 def version():

@@ -1,8 +1,10 @@
-"""setup.py takes a module for the interpreter that runs it, and no other."""
+"""setup.py takes a module for the interpreter that runs it, and no other; that of an installed leadscrew of the same version."""
 
 import importlib.machinery
 import os
 import pathlib
+import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -10,6 +12,7 @@ import unittest
 
 from common import TREE
 
+BUILD = pathlib.Path(os.environ["PYTHONPATH"].split(":")[0]).parent
 SUFFIX = importlib.machinery.EXTENSION_SUFFIXES[0]
 
 
@@ -24,9 +27,43 @@ class Setup(unittest.TestCase):
             (package / name).write_text(name)
         (tools / "cmake").write_text("#!/bin/sh\n")
         (tools / "cmake").chmod(0o755)
-        environment = {**os.environ, "LEADSCREW_BUILD": str(folder / "build"), "PATH": f"{tools}:{os.environ['PATH']}"}
+        return self.run_setup(folder, LEADSCREW_BUILD=str(folder / "build"), PATH=f"{tools}:{os.environ['PATH']}")
+
+    def run_setup(self, folder, **environment):
         return subprocess.run([sys.executable, "-B", "setup.py", "-q", "build_ext", "-b", str(folder / "lib"), "-t", str(folder / "temp")],
-                              cwd=TREE / "python", env=environment, capture_output=True, text=True, check=False)
+                              cwd=TREE / "python", env={**os.environ, **environment}, capture_output=True, text=True, check=False)
+
+    def install(self, folder, version=None):
+        """The project's own files for find_package, with a module that is text; in a prefix of `folder`."""
+        config = (BUILD / "leadscrew-config.cmake").read_text(encoding="utf-8")
+        ups = re.search(r'CMAKE_CURRENT_LIST_DIR\}/((?:\.\./)+)"', config)[1].count("../")
+        files = folder.joinpath("prefix", *["files"] * ups)
+        files.mkdir(parents=True)
+        (files / "leadscrew-config.cmake").write_text(config, encoding="utf-8")
+        (files / "leadscrew-targets.cmake").touch()
+        known = (BUILD / "leadscrew-config-version.cmake").read_text(encoding="utf-8")
+        if version:
+            known = re.sub(r'PACKAGE_VERSION "[0-9.]+"', f'PACKAGE_VERSION "{version}"', known, count=1)
+        (files / "leadscrew-config-version.cmake").write_text(known, encoding="utf-8")
+        package = folder / "prefix" / "lib" / "python3" / "dist-packages" / "leadscrew"
+        package.mkdir(parents=True)
+        (package / f"_core{SUFFIX}").write_text("installed")
+        return files
+
+    def test_takes_the_module_of_an_installed_leadscrew_of_this_version(self):
+        with tempfile.TemporaryDirectory() as given:
+            folder = pathlib.Path(given)
+            done = self.run_setup(folder, leadscrew_ROOT=str(self.install(folder)))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual((folder / "lib" / "leadscrew" / f"_core{SUFFIX}").read_text(), "installed")
+
+    def test_knows_no_installed_leadscrew_of_another_version(self):
+        with tempfile.TemporaryDirectory() as given:
+            folder = pathlib.Path(given)
+            files, found = self.install(folder, "0.1.99"), folder / "found"
+            subprocess.run(["cmake", "-S", TREE / "python" / "installed", "-B", folder / "scratch", "-DVERSION=0.1.0",
+                            f"-DMODULE=_core{SUFFIX}", f"-DFOUND={found}"], env={**os.environ, "leadscrew_ROOT": str(files)}, stdout=subprocess.DEVNULL, check=True)
+            self.assertFalse(found.exists())
 
     def test_takes_the_module_for_this_interpreter(self):
         with tempfile.TemporaryDirectory() as given:
