@@ -124,7 +124,7 @@ base::Result<gcode::Move> move_of(const leadscrew_tp_move& asked, const Position
 }
 
 Engine::Engine(machine::Machine machine, const Kinematics& kinematics, const Position& pose, double tool,
-               const leadscrew_tp_options& options)
+               const leadscrew_tp_options& options, std::function<bool()> ends)
     : machine_(std::move(machine)),
       tool_(tool),
       options_(options),
@@ -134,6 +134,7 @@ Engine::Engine(machine::Machine machine, const Kinematics& kinematics, const Pos
       planning_(planning()),
       feeder_(planning_, controller_, far_ahead * options.ahead, options.ahead) {
   source_.planner().slice(short_slice);
+  source_.stop_when(std::move(ends));
 }
 
 realtime::Planning Engine::planning() {

@@ -6,6 +6,7 @@
 // planned, so that no more is settled ahead than while it lasts.
 
 #include <cstdint>
+#include <functional>
 #include <leadscrew/controller.hpp>
 #include <leadscrew/diagnostic.hpp>
 #include <leadscrew/machine.hpp>
@@ -41,9 +42,9 @@ struct Wanted {
 /// The thread of planning's, but for controller().next(). The machine is sound (machine::validate).
 class Engine {
  public:
-  /// From this pose, with a tool so long, mm.
+  /// From this pose, with a tool so long, mm. Planning is broken off once `ends` says so, which is asked every few milliseconds.
   Engine(machine::Machine machine, const Kinematics& kinematics, const Position& pose, double tool,
-         const leadscrew_tp_options& options);
+         const leadscrew_tp_options& options, std::function<bool()> ends);
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
@@ -58,8 +59,6 @@ class Engine {
   bool is_open() const { return is_open_; }
   /// Does motion rest where all moves end?
   bool is_settled() const;
-  /// Number of the last chunk of motion that was aborted or has failed, once it is known; -1 before.
-  std::int64_t last_chunk() const { return feeder_.last_chunk().value_or(-1); }
   /// Why motion ends before its moves do; empty where it does not.
   std::string failure() const;
   /// Chunks that came too late.

@@ -41,9 +41,7 @@ struct Link {
   std::atomic<std::uint32_t> rejoined{0};  ///< the controller stands behind this followed move
   std::atomic<interpolator::Controller*> controller{nullptr};
   std::atomic<std::uint32_t> finished{0}, gate{0};
-  std::atomic<std::int64_t> last_chunk{-1};  ///< of motion that is aborted, once it is known
   std::atomic<bool> has_failed{false};
-  std::atomic<bool> is_broken{false};  ///< no more motion comes: it is aborted where the controller stands
   std::atomic<double> seconds_ahead{0};
   std::atomic<std::int64_t> late_chunks{0}, starvations{0};
 };

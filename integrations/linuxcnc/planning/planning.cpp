@@ -179,9 +179,6 @@ void leadscrew_tp_cycle(leadscrew_tp* tp, const leadscrew_tp_wishes* wishes, lea
   word->finished = is_made ? link.finished.load(std::memory_order_acquire) : 0;
   word->gate = is_made ? link.gate.load(std::memory_order_acquire) : 0;
   word->has_failed = is_made && link.has_failed.load(std::memory_order_acquire);
-  const std::int64_t last = is_made ? link.last_chunk.load(std::memory_order_acquire) : -1;
-  const bool has_ended = is_made && link.is_broken.load(std::memory_order_acquire);
-  word->is_aborted =
-      wishes->abort &&
-      (!tp->controller || (tp->controller->stands() && (has_ended || (last >= 0 && tp->controller->begun() == last))));
+  // What is planned behind the place of rest is not waited for: whoever sets down lets go of the controller.
+  word->is_aborted = wishes->abort && (!tp->controller || tp->controller->stands());
 }

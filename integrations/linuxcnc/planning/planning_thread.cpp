@@ -64,7 +64,6 @@ void PlanningThread::break_off(const char* what) noexcept {
                 what);
   report_(why.data());
   is_broken_ = has_failed_ = true;
-  link_.is_broken.store(true, std::memory_order_release);
   link_.has_failed.store(true, std::memory_order_release);
   link_.made.store(set_down_, std::memory_order_release);
 }
@@ -105,11 +104,9 @@ void PlanningThread::set_down() {
   next_.reset();
   pushed_ = 0;
   has_failed_ = is_broken_ = false;
-  link_.is_broken.store(false, std::memory_order_relaxed);
   link_.finished.store(0, std::memory_order_relaxed);
   link_.gate.store(0, std::memory_order_relaxed);
   link_.rejoined.store(0, std::memory_order_relaxed);
-  link_.last_chunk.store(-1, std::memory_order_relaxed);
   link_.has_failed.store(false, std::memory_order_relaxed);
   make_engine(where_.position);
   link_.made.store(set_down_, std::memory_order_release);
@@ -122,7 +119,10 @@ void PlanningThread::make_engine(const Position& position) {
     problem_ = told(machine.error());
     return;
   }
-  engine_ = std::make_unique<Engine>(std::move(*machine), kinematics_, position, where_.limits.tool, options_);
+  const auto is_over = [this] {
+    return ends_.load(std::memory_order_acquire) || link_.set_down.load(std::memory_order_acquire) != set_down_;
+  };
+  engine_ = std::make_unique<Engine>(std::move(*machine), kinematics_, position, where_.limits.tool, options_, is_over);
   link_.controller.store(&engine_->controller(), std::memory_order_release);
 }
 
@@ -176,7 +176,6 @@ void PlanningThread::fail(const std::string& why) {
 
 void PlanningThread::tell() {
   if (!has_failed_ && !engine_->failure().empty()) fail(engine_->failure());
-  link_.last_chunk.store(engine_->last_chunk(), std::memory_order_release);
   link_.has_failed.store(has_failed_, std::memory_order_release);
   if (!has_failed_ && engine_->is_settled()) link_.finished.store(pushed_, std::memory_order_release);
   link_.seconds_ahead.store(engine_->controller().seconds_ahead(), std::memory_order_relaxed);
