@@ -150,6 +150,28 @@ TEST(Canon, SaysPathControlAndCurves) {
             "SET_FEED_RATE(100.0000)\nNURBS_FEED(4, ...)\nPROGRAM_END()\n");
 }
 
+// What waits for the next motion in the plane is printed with the feed of its own block.
+TEST(Canon, FeedTravelsWithCompensatedMoves) {
+  EXPECT_EQ(
+      calls("G21 G61 S100 M3 G95 F0.2\nG41.1 D2\nG1 X10\nX20 F0.3\nG94 F100\nX30\nG95 F0.4\nX40\nG40\nX50 Y1\nM2\n"),
+      "SET_SPINDLE_SPEED(0, 100.0000)\n"
+      "START_SPINDLE_CLOCKWISE(0)\n"
+      "SET_MOTION_CONTROL_MODE(CANON_EXACT_PATH)\n"
+      "SET_FEED_MODE(0, 1)\n"
+      "SET_FEED_RATE(0.2000)\n"
+      "STRAIGHT_FEED(10.0000, 1.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+      "SET_FEED_RATE(0.3000)\n"
+      "STRAIGHT_FEED(20.0000, 1.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+      "SET_FEED_MODE(0, 0)\n"
+      "SET_FEED_RATE(100.0000)\n"
+      "STRAIGHT_FEED(30.0000, 1.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+      "SET_FEED_MODE(0, 1)\n"
+      "SET_FEED_RATE(0.4000)\n"
+      "STRAIGHT_FEED(40.0000, 1.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+      "STRAIGHT_FEED(50.0000, 1.0000, 0.0000, 0.0000, 0.0000, 0.0000)\n"
+      "PROGRAM_END()\n");
+}
+
 TEST(Canon, FeedPerRevolutionStaysAsWritten) {
   EXPECT_EQ(calls("G21 G61 M3 S100 G95 F0.2\nG1 X1\nS200\nX2\nG94 F100 X3\nM2\n"),
             "SET_SPINDLE_SPEED(0, 100.0000)\n"

@@ -207,13 +207,11 @@ void CanonWriter::write_path(const Move& move, std::string& text) {
 }
 
 // In G93 the rate that the block's length and duration make, in G95 that of a revolution.
-void CanonWriter::write_feed(const Move& move, const ModalState& modal, std::string& text) {
-  const bool per_revolution = modal.feed_mode == FeedMode::per_revolution;
+void CanonWriter::write_feed(const Move& move, std::string& text) {
+  const bool per_revolution = move.feed.per_revolution > 0;
   if (per_revolution != printed_.per_revolution) write_feed_mode(per_revolution, text);
   const double along = move.feed.mode == Feed::Mode::per_second ? path_length(move) : 1;
-  const double value = !per_revolution        ? move.feed.value
-                       : is_rotary_only(move) ? modal.angular_feed
-                                              : modal.linear_feed;
+  const double value = per_revolution ? move.feed.per_revolution : move.feed.value;
   const double unit = is_rotary_only(move) ? 1 : printed_.unit;
   const double feed = value * along * seconds_in_minute / unit;
   // Only what is seen in four decimals is another feed.
@@ -368,7 +366,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, const 
   }
   write_frame(frame, system, text);
   write_path(move, text);
-  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, modal, text);
+  if (move.feed.mode != Feed::Mode::rapid) write_feed(move, text);
   switch (move.kind) {
     case Move::Kind::arc:
       return write_arc(move, frame, text);

@@ -54,7 +54,7 @@ class CanonWriter {
 
   void write_frame(const Frame& frame, int system, std::string& text);
   void write_path(const Move& move, std::string& text);
-  void write_feed(const Move& move, const ModalState& modal, std::string& text);
+  void write_feed(const Move& move, std::string& text);
   void write_feed_mode(bool per_revolution, std::string& text);
   void write_spindle_mode(const ModalState& modal, std::string& text);
   void write_arc(const Move& move, const Frame& frame, std::string& text);

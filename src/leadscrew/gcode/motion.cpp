@@ -112,6 +112,7 @@ bool Motion::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
 // Of G95: as the spindle is to turn while the block begins (LinuxCNC manual, G Codes, "G93, G94, G95").
 bool Motion::feed_per_revolution(const Block& block, Feed& feed) {
   if (modal_.spindle_speed > 0) {
+    feed.per_revolution = feed.value;
     feed.value *= modal_.spindle_speed;
     return true;
   }

@@ -53,6 +53,8 @@ struct Feed {
   };
   Mode mode = Mode::rapid;  ///< by which the value counts
   double value = 0;         ///< as Mode says
+  /// Of G95, what F says: the value at one revolution a minute, mm/s or degrees/s. Else 0.
+  double per_revolution = 0;
 };
 
 /// The curves there are: of degree 1 … highest_degree, with at most so many control points, so that memory is bounded.
