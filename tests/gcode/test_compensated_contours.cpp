@@ -139,7 +139,19 @@ std::vector<Move> contour_of(const Reading& reading, std::size_t pieces) {
   return moves;
 }
 
-// Along the piece itself the distance is the radius, round a corner that from the corner; from no neighbour is it less.
+// Whether a piece passes the start of one before it, or nearly: what is before may lead in, what is behind off.
+bool closes(const std::vector<Move>& pieces) {
+  for (std::size_t j = 0; j < pieces.size(); ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      const Place start = start_of(pieces[i]);
+      if ((i + 1 == j ? between(start, end_of(pieces[j])) : to_contour(start, pieces[j])) < 0.02) return true;
+    }
+  }
+  return false;
+}
+
+// Along the piece itself the distance is the radius, round a corner that from the corner. From no neighbour is it less, nor
+// from any other but the first and the last.
 void check_way(const Contour& contour, const Both& both) {
   const std::size_t count = contour.blocks.size() - 2;
   const std::vector<Move> pieces = contour_of(both.programmed, count), way = contour_of(both.compensated, count);
@@ -153,8 +165,9 @@ void check_way(const Contour& contour, const Both& both) {
       const Place place = at(way[i], static_cast<double>(k) / steps);
       const double distance = is_corner ? between(place, start_of(pieces[of])) : to_contour(place, pieces[of]);
       RC_ASSERT(std::fabs(distance - contour.radius) <= 1e-6);
-      for (std::size_t near = of > 0 ? of - 1 : 0; near <= of + 1 && near < count; ++near) {
-        if (near == of + 1 && is_corner) continue;
+      for (std::size_t near = 0; near < count; ++near) {
+        const bool is_neighbour = near + 1 >= of && near <= of + 1 && !(near == of + 1 && is_corner);
+        if (!is_neighbour && (near == 0 || near + 1 == count)) continue;
         RC_ASSERT(to_contour(place, pieces[near]) >= contour.radius - 1e-6);
       }
     }
@@ -165,6 +178,7 @@ RC_GTEST_PROP(CompensatedContours, KeepTheRadiusFromTheContour, ()) {
   const Contour contour = random_contour(*rc::gen::inRange(1, 7));
   const Both both = read_both(contour);
   RC_PRE(both.programmed.problems().empty());
+  RC_PRE(!closes(contour_of(both.programmed, contour.blocks.size() - 2)));
   RC_CLASSIFY(both.compensated.problems().empty(), "fits");
   for (const base::Diagnostic& problem : both.compensated.diagnostics)
     RC_ASSERT(problem.code == "cutter-gouge" || problem.code == "program-end");
@@ -232,6 +246,53 @@ RC_GTEST_PROP(CompensatedContours, AreRefusedWhereTheToolDoesNotFitAlone, ()) {
   const bool is_whole =
       (at(pieces[0], 1e-6).y - start_of(pieces[0]).y) * aside <= 0 && !both.compensated.problems().starts_with("4:");
   if (is_refused && is_whole) RC_ASSERT(!fits_between(pieces[0], pieces[1], aside));
+}
+
+// How near a way comes to a piece: the least of samples, and more of them about it.
+double nearest(const Move& way, const Move& piece) {
+  double least = 1e9, best = 0, reach = 1;
+  for (int finer = 0; finer < 4; ++finer, reach /= 100) {
+    const double middle = best;
+    for (int k = -400; k <= 400; ++k) {
+      const double part = std::clamp(middle + reach * k / 400, 0.0, 1.0);
+      const double distance = to_contour(at(way, part), piece);
+      if (distance < least) least = distance, best = part;
+    }
+  }
+  return least;
+}
+
+// The numbers of the two lines that a gouge names.
+std::pair<std::size_t, std::size_t> lines_of(const base::Diagnostic& gouge) {
+  const std::string& message = gouge.message;
+  const std::size_t first = message.find("line "), second = message.rfind("line ");
+  return {std::stoul(message.substr(first + 5)), std::stoul(message.substr(second + 5))};
+}
+
+// A gouge that is told beyond neighbours is one: along one of both lines the tool is nearer to the other than its radius.
+RC_GTEST_PROP(CompensatedContours, AreRefusedBeyondNeighboursWhereTheToolCuts, ()) {
+  const Contour contour = random_contour(*rc::gen::inRange(3, 9));
+  const Both both = read_both(contour);
+  RC_PRE(both.programmed.problems().empty());
+  const std::size_t count = contour.blocks.size() - 2;
+  const std::vector<Move> pieces = contour_of(both.programmed, count), ways = contour_of(both.compensated, count);
+  RC_PRE(pieces.size() == count);
+  bool is_beyond = false;
+  for (const base::Diagnostic& problem : both.compensated.diagnostics) {
+    if (problem.code != "cutter-gouge" || problem.message.find("between") == std::string::npos) continue;
+    const auto [one, two] = lines_of(problem);
+    if (one + 1 >= two) continue;
+    is_beyond = true;
+    double least = 1e9;
+    for (const Move& way : ways) {
+      const auto line = static_cast<std::size_t>(base::number(way.line));
+      if (line == one) least = std::min(least, nearest(way, pieces[two - 4]));
+      if (line == two) least = std::min(least, nearest(way, pieces[one - 4]));
+    }
+    RC_LOG() << contour.program(true) << problem.message << "; " << least;
+    RC_ASSERT(least < contour.radius - 2e-7);
+  }
+  RC_CLASSIFY(is_beyond, "beyond");
 }
 
 }  // namespace test_compensated_contours

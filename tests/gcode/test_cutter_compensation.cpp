@@ -139,6 +139,19 @@ TEST(CutterCompensation, WorksInEveryPlane) {
   EXPECT_EQ(problems("G18 G41.1 D2 L10\nG1 X10"), "2:14 bad-value; ");
 }
 
+TEST(CutterCompensation, TakesSideAndOrientationOfATool) {
+  EXPECT_EQ(way("G41 D7\nG1 X10\nX20\nG40 Y30", with_tool(-4)), "f10,-2 f20,-2 f20,30");
+  Conditions lathe = with_tool(2);
+  machine::Tool tool = *lathe.tools.find(7);
+  tool.orientation = 2;
+  lathe.tools.set(tool);
+  const std::vector<Move> moves = read_well("F600\nG18 G41 D7\nG1 Z10\nZ20\nG40 X5\nM2\n", lathe).lines();
+  EXPECT_EQ(xyz(moves[1].end), (Point{0, 0, 19}));
+  EXPECT_EQ(problems("G41 D7\nG1 X10", lathe), "2:1 cutter-compensation; ");
+  EXPECT_EQ(problems("G10 L1 P7 Q9\nG41 D7\nG1 X10\nG40 Y9", lathe), "");
+  EXPECT_EQ(problems("G10 L1 P7 Q10", lathe), "2:11 bad-value; ");
+}
+
 TEST(CutterCompensation, IsOnTheProgramsSideWhereItIsTurnedOrMirrored) {
   EXPECT_EQ(way("G68 X0 Y0 R90\nG41.1 D2\nG1 X10\nX20\nG40 Y30"), "f-1,10 f-1,20 f-30,20");
   EXPECT_EQ(way("G51.1 X0\nG41.1 D2\nG1 X10\nX20\nG40 Y30"), "f-10,1 f-20,1 f-20,30");
@@ -171,9 +184,55 @@ TEST(CutterCompensation, LooksForGougesOnOneLevel) {
   EXPECT_EQ(problems(begin + "Z5\nZ0\n" + end), "7:1 cutter-gouge; ");
 }
 
+// To beside its end, in its direction there: from (0, 0) to (11, 10), tangent to X = 11.
+TEST(CutterCompensation, BeginsWithAnArc) {
+  const std::vector<Move> moves = read_well("F600\nG42.1 D2\nG3 X10 Y10 J10\nG1 Y20\nG40 X30\nM2\n").moves;
+  EXPECT_EQ(moves[0].kind, Move::Kind::arc);
+  EXPECT_EQ(xyz(moves[0].end), (Point{11, 10, 0}));
+  EXPECT_NEAR(moves[0].center_first, 11 - 221.0 / 22, 1e-9);
+  EXPECT_NEAR(moves[0].center_second, 10, 1e-9);
+  EXPECT_EQ(xyz(moves[1].end), (Point{11, 20, 0}));
+  EXPECT_EQ(problems("G41.1 D22\nG3 X10 Y10 J10\nG1 Y20"), "3:1 cutter-entry; ");
+  EXPECT_EQ(problems("G41.1 D2\nG2 X10 Y-3 I5 J-1.5\nG1 X20"), "");
+}
+
+// It is told, and goes on, where LinuxCNC does not look for it, and where somebody allows it.
+TEST(CutterCompensation, MayGougeWhereThatIsAllowed) {
+  const std::string text = "F600\nG41.1 D4\nG1 X0 Y40\nY30\nY20\nX-10\nY0\nX13\nY20\nX3\nY30\nY40\nG40 X20\nM2\n";
+  const Reading reading = read(text, in_dialect(Dialect::linuxcnc));
+  ASSERT_FALSE(reading.diagnostics.empty());
+  for (const base::Diagnostic& told : reading.diagnostics) {
+    EXPECT_EQ(told.code, "cutter-gouge");
+    EXPECT_EQ(told.severity, base::Severity::warning);
+  }
+  EXPECT_EQ(reading.lines().size(), 11u);
+}
+
+// A cavity with a neck, through which the tool fits or not.
+TEST(CutterCompensation, LooksForGougesBeyondNeighbours) {
+  const std::string begin = "G1 X0 Y40\nY30\nY20\nX-10\nY0\nX13\nY20\nX3\nY30\nY40\n", end = "G40 X20";
+  const Reading reading = read("F600\nG41.1 D4\n" + begin + end + "\nM2\n");
+  EXPECT_EQ(reading.problems(), "10:1 cutter-gouge; 11:1 cutter-gouge; 12:1 cutter-gouge; ");
+  EXPECT_NE(reading.diagnostics[1].message.find("and that of line 11"), std::string::npos);
+  EXPECT_EQ(problems("G41.1 D3\n" + begin + end), "");
+  // Behind a move that leaves the level, or at rapid, it is another contour.
+  EXPECT_EQ(problems("G41.1 D4\nG1 X0 Y40\nY30\nY20\nX-10\nY0\nX13\nZ5\nY20\nX3\nY30\nY40\n" + end), "");
+  EXPECT_EQ(problems("G41.1 D4\nG1 X0 Y40\nY30\nY20\nX-10\nG0 Y0\nG1 X13\nY20\nX3\nY30\nY40\n" + end), "");
+}
+
+// The tool goes across arcs by which it came and will leave, or along the first of the contour again.
+TEST(CutterCompensation, TakesNoLeadInForAGouge) {
+  const std::string begin = "G41.1 D6\nG1 X5 Y-5\nG3 X10 Y0 J5\nX0 Y10 I-10\nX-10 Y0 J-10\nX0 Y-10 I10\nX10 Y0 J10\n";
+  EXPECT_EQ(problems(begin + "X5 Y5 I-5\nG40 G1 X0 Y0"), "");
+  EXPECT_EQ(problems(begin + "X7.07107 Y7.07107 I-10\nG40 G1 X0 Y0"), "");
+  EXPECT_EQ(problems("G41.1 D6\nG1 X5 Y-5\nG3 X10 Y0 J5\nX10 Y0 I-10\nX5 Y5 I-5\nG40 G1 X0 Y0"), "");
+  EXPECT_EQ(
+      problems("G41.1 D6\nG1 X3 Y-5\nX6\nG3 X10 Y-1 J4\nG1 Y20\nX-10\nY-20\nX10\nY-1\nG3 X6 Y3 I-4\nG40 G1 X0 Y0"), "");
+}
+
 TEST(CutterCompensation, BeginsWithALineThatIsLongEnough) {
   EXPECT_EQ(problems("G41.1 D20\nG1 X10\nX20"), "3:1 cutter-entry; ");
-  EXPECT_EQ(problems("G41.1 D2\nG2 X10 I5\nG1 X20"), "3:1 cutter-entry; ");
+  EXPECT_EQ(problems("G41 D7\nG2 X10. I5.\nG1 X20.", with_tool(2, Dialect::fanuc)), "3:1 cutter-entry; ");
   EXPECT_EQ(problems("G41.1 D2\nG1 Z5\nX20\nX30\nG40 Y9"), "");
   EXPECT_EQ(problems("G41.1 D2\nG1 Z5\nX20", in_dialect(Dialect::linuxcnc)), "3:1 cutter-entry; ");
   EXPECT_EQ(problems("G41.1 D2\nG1 X10\nX20\nG40\nG2 X30 I5"), "6:1 cutter-exit; ");

@@ -80,6 +80,9 @@ TEST(PredefinedNames, TellSpindleCoolantAndTools) {
   EXPECT_NEAR(value_after("T3 M6\n", "[#5400 + #5403 + #5410]", conditions), 3 + 25.4 + 12.7, 1e-9);
   EXPECT_NEAR(value_after("T3 M6\nG20\n", "[#5403 + #5410]", conditions), 1.5, 1e-9);
   EXPECT_NEAR(value_after("T3 M6\nG43 H3\n", "#5083", conditions), 25.4, 1e-9);
+  EXPECT_NEAR(
+      value_after("G10 L1 P3 R-4 I91 J32 Q6\nT3 M6\n", "[#5410 + #5411 * 2 + #5412 * 3 + #5413 * 5]", conditions),
+      -8 + 182 + 96 + 30, 1e-9);
 }
 
 TEST(PredefinedNames, TellThePosition) {

@@ -28,6 +28,13 @@ TEST(ToolTable, ReadsToolsWithTheirOffsets) {
   EXPECT_EQ(text.table.find(4), nullptr);
 }
 
+TEST(ToolTable, ReadsLatheTools) {
+  const ToolTableText text = read_tool_table("T1 D-0.8 I93 J33.5 Q2\n", "tool.tbl");
+  EXPECT_EQ(problems(text), "");
+  EXPECT_EQ(*text.table.find(1),
+            (machine::Tool{.number = 1, .diameter = -0.8, .front_angle = 93, .back_angle = 33.5, .orientation = 2}));
+}
+
 TEST(ToolTable, WithoutAToolIsAnError) {
   for (const char* const text : {"", "\n\n", "; only a remark\n", " \t\r\n"}) {
     const ToolTableText table = read_tool_table(text, "tool.tbl");
@@ -46,10 +53,10 @@ TEST(ToolTable, ReportsEveryProblemAtItsPlace) {
   } rows[] = {
       {"P1 Z1", "1:1 missing-word; "},     {"T1\nT2 P1\nT1 Z5", "3:1 repeated-tool; "},
       {"T0", "1:1 bad-value; "},           {"T1.5", "1:1 bad-value; "},
-      {"T1 P-1", "1:4 bad-value; "},       {"T1 D-1", "1:4 bad-value; "},
-      {"T1 Q5", "1:4 bad-character; "},    {"T1 ?", "1:4 bad-character; "},
+      {"T1 P-1", "1:4 bad-value; "},       {"T1 Q10", "1:4 bad-value; "},
+      {"T1 S5", "1:4 bad-character; "},    {"T1 ?", "1:4 bad-character; "},
       {"T1 Z", "1:4 bad-number; "},        {"T1 Z1.2.3", "1:4 bad-number; "},
-      {"T1 Z1 Z2", "1:7 repeated-word; "}, {"T1 Q5\nT2\n\nP3", "1:4 bad-character; 4:1 missing-word; "},
+      {"T1 Z1 Z2", "1:7 repeated-word; "}, {"T1 S5\nT2\n\nP3", "1:4 bad-character; 4:1 missing-word; "},
   };
   for (const auto& row : rows) EXPECT_EQ(problems(read_tool_table(row.text, "tool.tbl")), row.problems) << row.text;
   EXPECT_EQ(read_tool_table("T0", "tool.tbl").diagnostics.at(0).place.file, "tool.tbl");
@@ -83,7 +90,8 @@ TEST(ToolTable, ReportsShapesThatAreNone) {
       {"T1 R-1 D10", "1:4 bad-value; "},         {"T1 D10 R5.1", "1:8 bad-value; "},
       {"T1 D10 R5 L5", "1:11 bad-value; "},      {"T1 D10 L0", "1:8 bad-value; "},
       {"T1 D10 L40 H0 K9", "1:12 bad-value; "},  {"T1 D10 L40 H30", "1:12 missing-word; "},
-      {"T1 D10 L40 K30", "1:12 missing-word; "}, {"T1 D10 H30 K50", "1:12 missing-word; "},
+      {"T1 D-8 R0", "1:8 missing-word; "},       {"T1 D10 L40 K30", "1:12 missing-word; "},
+      {"T1 D10 H30 K50", "1:12 missing-word; "},
   };
   for (const auto& row : rows) EXPECT_EQ(problems(read_tool_table(row.text, "tool.tbl")), row.problems) << row.text;
 }

@@ -189,7 +189,7 @@ int leadscrew_tools(const leadscrew_options* options, leadscrew_tool_function on
       leadscrew_tool told{};
       told.size = sizeof told;
       told.number = tool.number;
-      told.diameter = tool.diameter;
+      told.diameter = std::fabs(tool.diameter);
       told.corner_radius = tool.corner_radius.value_or(-1);
       told.length = tool.length;
       told.holder_diameter = tool.holder_diameter;

@@ -54,7 +54,7 @@ void add_flow(Command& command, Arguments& arguments) {
                   }
                   return folders;
                 });
-  command.flag("--allow-gouge", "Machine surfaces (G6.5) though the tool gouges where it touches",
+  command.flag("--allow-gouge", "Go on though the tool gouges: surfaces (G6.5), compensated contours",
                arguments.allow_gouge);
   command.value("--fuel", "BLOCKS", "Read so many blocks in loops and subprograms at most (default: 100000000)",
                 arguments.fuel, [](std::string_view text) -> Parsed<std::int64_t> {

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <leadscrew/gcode/cutter_compensation.hpp>
 #include <leadscrew/gcode/path_length.hpp>
+#include <numbers>
 #include <utility>
 
 namespace leadscrew::gcode {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t most_waiting = 1000;  // moves and events that wait for a motion in the plane
 constexpr double least_in_plane = 1e-9;     // mm; less is no motion
+constexpr double most_entry_radii = 1e6;    // of the arc as programmed
 
 // A block's duration is that of its programmed length (LinuxCNC).
 void set_speed(Move& move) {
@@ -24,6 +26,21 @@ void set_speed(Move& move) {
 bool winds(const Move& move) {
   const std::size_t normal = base::index(normal_axis(move.plane));
   return move.kind == Move::Kind::arc && std::abs(move.turns) > 1 && move.start[normal] != move.end[normal];
+}
+
+// An arc by which the tool comes to the end of the way beside another, in its direction there (LinuxCNC's arc entry): its
+// centre is on the line from there through that of the other, as far from both ends. Nothing where there is none.
+std::optional<OffsetPiece> arc_to_end_of(OffsetPiece piece, PlanePoint from, int turns) {
+  ContourPiece& way = piece.way;
+  const PlanePoint chord{from.first - way.end.first, from.second - way.end.second};
+  const PlanePoint inward{way.center.first - way.end.first, way.center.second - way.end.second};
+  const double across = 2 * (chord.first * inward.first + chord.second * inward.second);
+  const double share = (chord.first * chord.first + chord.second * chord.second) / across;
+  if (!(across > 0) || !(share < most_entry_radii)) return std::nullopt;
+  way.start = from;
+  way.center = {way.end.first + share * inward.first, way.end.second + share * inward.second};
+  piece.turned = sweep(way.start, way.end, way.center, way.turn) + (std::abs(turns) - 1) * 2 * std::numbers::pi;
+  return piece;
 }
 
 }  // namespace
@@ -58,7 +75,7 @@ void CutterCompensation::add(const Move& move) {
   if (phase_ == Phase::leaving) return leave(std::move(kept));
   if (phase_ == Phase::passing || phase_ == Phase::off) return decide(std::move(kept));
   set_speed(kept.move);
-  if (ends) settle();
+  if (ends) settle(), end_search();
   if (!is_in_plane(move)) return let_pass(std::move(kept));
   if (phase_ == Phase::entering) return enter(std::move(kept));
   follow(std::move(kept));
@@ -75,6 +92,7 @@ void CutterCompensation::let_pass(Kept kept) {
     return enter(std::move(kept));
   set_in_plane(kept.move.start, at_);
   set_in_plane(kept.move.end, at_);
+  if (!piece_ && kept.move.kind == Move::Kind::line) end_search();
   if (!piece_) return decide(std::move(kept));
   kept_.push_back(std::move(kept));
   if (kept_.size() - decided_ <= most_waiting) return;
@@ -103,6 +121,8 @@ void CutterCompensation::leave(Kept kept) {
 }
 
 void CutterCompensation::enter(Kept kept) {
+  const bool may_be_arc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
+  if (kept.move.kind == Move::Kind::arc && may_be_arc) return enter_by_arc(std::move(kept));
   const double length = span_of(at_, in_plane(kept.move.end, plane_));
   if (kept.move.kind != Move::Kind::line || !(length > radius())) {
     const bool is_line = kept.move.kind == Move::Kind::line;
@@ -115,7 +135,24 @@ void CutterCompensation::enter(Kept kept) {
   }
   Move as_programmed = kept.move;
   set_in_plane(as_programmed.start, at_);
-  piece_ = offset_of(as_programmed, aside_);
+  begin_contour(std::move(kept), offset_of(as_programmed, aside_));
+}
+
+void CutterCompensation::enter_by_arc(Kept kept) {
+  std::optional<OffsetPiece> piece = offset_of(kept.move, aside_);
+  const PlanePoint from{at_.first - origin_.first, at_.second - origin_.second};
+  if (piece) piece = arc_to_end_of(*piece, from, kept.move.turns);
+  if (!piece) {
+    error("cutter-entry", column_,
+          "from where the tool is, no arc leads to beside the end of the first move of cutter compensation",
+          "an arc of less than half a turn and of a radius greater than the tool's, or a line");
+    return abandon();
+  }
+  begin_contour(std::move(kept), piece);
+}
+
+void CutterCompensation::begin_contour(Kept kept, const std::optional<OffsetPiece>& piece) {
+  piece_ = piece;
   is_entry_ = true;
   phase_ = Phase::on;
   kept_.push_back(std::move(kept));
@@ -142,10 +179,13 @@ void CutterCompensation::follow(Kept kept) {
     kept_.push_back(std::move(kept));
     return;
   }
-  const bool is_level = stays_on_level(kept.move) && !winds(kept_[decided_].move) && !winds(kept.move);
+  const bool is_level = stays_on_level(kept.move) && !winds(kept_[decided_].move) && !winds(kept.move) &&
+                        !is_left_to_search(kept.move, *next);
   const CornerKind corner = corner_of(*piece_, *next, aside_);
-  const bool fits = join(*next, corner, is_level);
-  if (!fits) report_gouge(kept_[decided_].place, kept.place);
+  const bool meets = join(*next, corner);
+  if (!meets) end_search(), refuse_corner(kept_[decided_].place, kept.place);
+  const bool fits = meets && (is_entry_ || !is_level || keeps_clear(*piece_, next->contour, radius()));
+  if (meets && !fits) report_gouge(kept_[decided_].place, kept.place);
   const PlanePoint from = piece_->way.end;
   const std::optional<ContourPiece> contour =
       fits && is_level && !is_entry_ ? std::optional(piece_->contour) : std::nullopt;
@@ -153,19 +193,19 @@ void CutterCompensation::follow(Kept kept) {
   settle();
   contour_ = contour;
   contour_place_ = place;
-  is_entry_ = false;
-  if (corner == CornerKind::outer && fits) go_round(from, *next, kept, is_level);
-  if (!fits) connect(next->way.start, kept);
+  if (!meets) search_.forget();
+  if (corner == CornerKind::outer && meets) go_round(from, *next, kept, is_level);
+  if (!meets) connect(next->way.start, kept);
   piece_ = next;
   kept_.push_back(std::move(kept));
 }
 
-// Makes the way that waits end, and the next begin, where they do; false where the tool does not fit between them.
-bool CutterCompensation::join(OffsetPiece& next, CornerKind corner, bool is_level) {
+// Makes the way that waits end, and the next begin, where they do; false where they do not meet.
+bool CutterCompensation::join(OffsetPiece& next, CornerKind corner) {
   if (corner == CornerKind::inner && !cut_inner_corner(*piece_, next)) return false;
   if (corner == CornerKind::none && piece_->way.is_arc()) next.way.start = piece_->way.end;
   if (corner == CornerKind::none && !piece_->way.is_arc()) piece_->way.end = next.way.start;
-  return is_entry_ || !is_level || keeps_clear(*piece_, next.contour, radius());
+  return true;
 }
 
 // An arc about the corner, at the feed of what follows.
@@ -182,6 +222,7 @@ void CutterCompensation::go_round(PlanePoint from, const OffsetPiece& next, cons
   round.move.plane = plane_;
   round.move.end = round.move.start;
   put(round, corner);
+  search_.add_corner(corner, radius(), round.place);
   decide(std::move(round));
 }
 
@@ -197,21 +238,47 @@ void CutterCompensation::connect(PlanePoint to, const Kept& kept) {
 // The motion that waits ends where its way does, and all that waits with it happens there.
 void CutterCompensation::finish() {
   put(kept_[decided_], *piece_);
+  search(kept_[decided_], *piece_);
   for (std::size_t i = decided_ + 1; i < kept_.size(); ++i) {
     set_in_plane(kept_[i].move.start, at_);
     set_in_plane(kept_[i].move.end, at_);
+    if (kept_[i].move.kind == Move::Kind::line) end_search();
   }
   const Move& move = kept_[decided_].move;
   const bool stands = move.kind == Move::Kind::line && move.start == move.end;
   if (stands) kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(decided_));
   decided_ = kept_.size();
   piece_.reset();
+  is_entry_ = false;
 }
 
 void CutterCompensation::settle() {
   if (!piece_) return;
   if (contour_ && !keeps_clear(*piece_, *contour_, radius())) report_gouge(contour_place_, kept_[decided_].place);
   finish();
+}
+
+// A run of the search is at feed and at one level.
+bool CutterCompensation::is_searched(const Move& move) const {
+  const std::size_t normal = base::index(normal_axis(plane_));
+  return move.start[normal] == move.end[normal] && move.feed.mode != Feed::Mode::rapid;
+}
+
+// Of the motion that waits and the next: whether both are of one run, and one is a long arc.
+bool CutterCompensation::is_left_to_search(const Move& next, const OffsetPiece& piece) const {
+  if (is_entry_ || (!is_long_arc(piece_->contour) && !is_long_arc(piece.contour))) return false;
+  const auto breaks = [](const Kept& kept) { return kept.move.kind == Move::Kind::line; };
+  return is_searched(kept_[decided_].move) && is_searched(next) &&
+         std::none_of(kept_.begin() + static_cast<std::ptrdiff_t>(decided_) + 1, kept_.end(), breaks);
+}
+
+void CutterCompensation::search(const Kept& kept, const OffsetPiece& piece) {
+  if (is_entry_ || !is_searched(kept.move)) return end_search();
+  search_.add(piece, radius(), kept.place);
+}
+
+void CutterCompensation::end_search() {
+  search_.end_run([this](const KeptPlace& one, const KeptPlace& two) { report_gouge(one, two); });
 }
 
 // From where the tool's middle is along the way of a piece.
@@ -240,12 +307,24 @@ void CutterCompensation::check_travel(const Kept& kept) {
   travel_.released_inside(second_axis(plane_), box.low.second, box.high.second, kept.place.column);
 }
 
+std::string CutterCompensation::gouge_between(const KeptPlace& one, const KeptPlace& two) const {
+  return "the tool, of radius " + text(radius()) + " mm, does not fit between the contour of line " +
+         std::to_string(base::number(one.line)) + " and that of line " + std::to_string(base::number(two.line));
+}
+
+void CutterCompensation::refuse_corner(const KeptPlace& one, const KeptPlace& two) {
+  const AtKeptPlace there(reporter_, two);
+  error("cutter-gouge", two.column, gouge_between(one, two), "a smaller tool, or a contour that it fits");
+}
+
 void CutterCompensation::report_gouge(const KeptPlace& one, const KeptPlace& two) {
   const AtKeptPlace there(reporter_, two);
-  error("cutter-gouge", two.column,
-        "the tool, of radius " + text(radius()) + " mm, does not fit between the contour of line " +
-            std::to_string(base::number(one.line)) + " and that of line " + std::to_string(base::number(two.line)),
-        "a smaller tool, or a contour that it fits");
+  if (options_.dialect == Dialect::linuxcnc || options_.allows_gouging) {
+    reporter_.warning("cutter-gouge", two.column, gouge_between(one, two), "a smaller tool, or a contour that it fits");
+    return;
+  }
+  error("cutter-gouge", two.column, gouge_between(one, two),
+        "a smaller tool, or a contour that it fits; or allow gouging, where this is no edge of the part");
 }
 
 }  // namespace leadscrew::gcode

@@ -60,13 +60,14 @@ void CutterCompensation::set(const Block& block) {
   if (block.is(Code::G40)) return end();
   if (is_on()) return;  // has been refused
   column_ = motion_column(block);
-  const std::optional<double> radius = radius_.of_compensation(block);
-  if (!radius || begin(block, *radius)) return;
+  const std::optional<Cutter> cutter = radius_.of_compensation(block);
+  if (!cutter || begin(block, *cutter)) return;
   phase_ = Phase::passing;
 }
 
 // Which side is left of a mirrored program is that of the program.
-bool CutterCompensation::begin(const Block& block, double radius) {
+bool CutterCompensation::begin(const Block& block, const Cutter& cutter) {
+  const double radius = cutter.radius;
   const std::uint32_t column = block.column_of(Group::cutter_radius);
   const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
   const double scale = frame_.circle_scale(first, second);
@@ -79,7 +80,7 @@ bool CutterCompensation::begin(const Block& block, double radius) {
     return error("cutter-compensation", column, "cutter compensation in plane YZ",
                  "LinuxCNC compensates in G17 and G18 alone");
   }
-  if (!set_origin(block, std::fabs(radius))) return false;
+  if (!set_origin(block, cutter)) return false;
   const bool is_left = block.is(Code::G41) || block.is(Code::G41_1);
   aside_ = (is_left == (scale > 0)) ? radius : -radius;
   modal_.cutter_side = is_left == (radius >= 0) ? Code::G41 : Code::G42;
@@ -92,21 +93,19 @@ bool CutterCompensation::begin(const Block& block, double radius) {
 }
 
 // LinuxCNC manual, "Lathe tool orientation": 1 to 4 are the corners, 5 to 8 the sides, 0 and 9 the middle.
-bool CutterCompensation::set_origin(const Block& block, double radius) {
+bool CutterCompensation::set_origin(const Block& block, const Cutter& cutter) {
+  const bool is_given = block.has('L');
+  const bool is_in_middle = cutter.orientation == 0 || cutter.orientation == 9;
   origin_ = {};
-  if (!block.has('L')) return true;
-  const std::optional<int> orientation = as_integer(block['L']);
-  if (!orientation || *orientation < 0 || *orientation > 9) {
-    return error("bad-value", block.column_of('L'), "the orientation of the tool is " + text(block['L']),
-                 "an integer from 0 to 9");
-  }
-  if (modal_.plane != Plane::ZX) {
-    return error("cutter-compensation", block.column_of('L'), "the orientation of a lathe tool outside of plane ZX",
-                 "G18 before it, or no L");
+  if (modal_.plane != Plane::ZX && (is_given || !is_in_middle)) {
+    return error("cutter-compensation", is_given ? block.column_of('L') : block.column_of(Group::cutter_radius),
+                 "the orientation of a lathe tool outside of plane ZX",
+                 is_given ? "G18 before it, or no L" : "G18 before it, or a tool without Q in its table");
   }
   constexpr int along_x[] = {0, -1, -1, 1, 1, 0, -1, 0, 1, 0};
   constexpr int along_z[] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
-  origin_ = {along_z[*orientation] * radius, along_x[*orientation] * radius};
+  const double radius = std::fabs(cutter.radius);
+  origin_ = {along_z[cutter.orientation] * radius, along_x[cutter.orientation] * radius};
   return true;
 }
 
@@ -114,6 +113,7 @@ void CutterCompensation::end() {
   modal_.cutter_side = Code::G40;
   if (!is_on()) return;
   settle();
+  end_search();
   const PlanePoint programmed = in_plane(frame_.position, plane_);
   const bool is_aside = phase_ == Phase::on && (at_.first != programmed.first || at_.second != programmed.second);
   phase_ = is_aside ? Phase::leaving : Phase::off;
@@ -125,6 +125,7 @@ void CutterCompensation::end() {
 // What is kept back goes its way; what follows an error is read for its own errors alone.
 void CutterCompensation::abandon() {
   settle();
+  search_.forget();
   if (is_on()) phase_ = Phase::passing;
   if (phase_ == Phase::leaving) phase_ = Phase::off;
   modal_.tool_is_aside = false;

@@ -7,16 +7,20 @@
 // and with it, in their order, the events, dwells and moves without motion in the plane that stand between: those happen
 // where the way ends. The program's own position is the programmed one throughout, as G91 and centres of arcs count.
 //
-// As LinuxCNC does it: the first move is a line that is longer than the radius, to beside its own end. Behind G40 the tool
+// As LinuxCNC does it: the first move is a line that is longer than the radius, to beside its own end, or an arc, which
+// another takes the place of that ends there in the same direction (Fanuc's family: a line). Behind G40 the tool
 // stands where its way has ended until the next line, which leads to where the program says. Corners at rapid are gone round
-// as those at feed are, so that none is cut. L of a lathe tool, 1 to 9, says where the place that is programmed lies from
-// the middle of its radius (LinuxCNC manual, "Lathe tool orientation").
+// as those at feed are, so that none is cut. L, or Q of the tool table, of a lathe tool, 1 to 9, says where the place that is
+// programmed lies from the middle of its radius (LinuxCNC manual, "Lathe tool orientation").
 //
-// What the tool does not fit into is an error, of each two neighbours on one level: beyond them nothing is looked at, nor
-// the ways in and out. Travel is that of the tool's middle.
+// What the tool does not fit into is an error: of each two neighbours on one level at once, beyond them where the contour
+// ends or leaves its level (gouge_search.hpp). The ways in and out are not looked at. Where ways meet, and the tool only
+// cuts into the contour elsewhere, it is a warning in dialect linuxcnc, which does not look for that, and where gouging is
+// allowed. Travel is that of the tool's middle.
 
 #include <deque>
 #include <leadscrew/gcode/cutter_radius.hpp>
+#include <leadscrew/gcode/gouge_search.hpp>
 #include <leadscrew/gcode/offset_contour.hpp>
 #include <leadscrew/gcode/travel.hpp>
 #include <optional>
@@ -66,24 +70,32 @@ class CutterCompensation : Part {
   bool refuse(Code code, std::uint32_t column);
   bool allows_groups(const Block& block);
   bool allows_nonmodal(const Block& block) const;
-  bool begin(const Block& block, double radius);
-  bool set_origin(const Block& block, double radius);
+  bool begin(const Block& block, const Cutter& cutter);
+  bool set_origin(const Block& block, const Cutter& cutter);
   void end();
 
   bool is_in_plane(const Move& move) const;
+  bool is_searched(const Move& move) const;
+  bool is_left_to_search(const Move& next, const OffsetPiece& piece) const;
   void let_pass(Kept kept);
   void leave(Kept kept);
   void enter(Kept kept);
+  void enter_by_arc(Kept kept);
+  void begin_contour(Kept kept, const std::optional<OffsetPiece>& piece);
   void follow(Kept kept);
-  bool join(OffsetPiece& next, CornerKind corner, bool is_level);
+  bool join(OffsetPiece& next, CornerKind corner);
   void go_round(PlanePoint from, const OffsetPiece& next, const Kept& kept, bool is_level);
   void connect(PlanePoint to, const Kept& kept);
   void decide(Kept kept);
   void finish();
   bool stays_on_level(const Move& next) const;
   void put(Kept& kept, const OffsetPiece& piece);
+  void search(const Kept& kept, const OffsetPiece& piece);
+  void end_search();
   void check_travel(const Kept& kept);
+  void refuse_corner(const KeptPlace& one, const KeptPlace& two);
   void report_gouge(const KeptPlace& one, const KeptPlace& two);
+  std::string gouge_between(const KeptPlace& one, const KeptPlace& two) const;
   double radius() const;
   PlanePoint moved(PlanePoint point) const { return {point.first + origin_.first, point.second + origin_.second}; }
   void set_in_plane(base::AxisVector& place, PlanePoint point) const;
@@ -103,6 +115,7 @@ class CutterCompensation : Part {
   // Of the motion before, where it is on the same level.
   std::optional<ContourPiece> contour_;
   KeptPlace contour_place_;
+  GougeSearch search_;
   std::optional<KeptPlace> taken_;
 };
 

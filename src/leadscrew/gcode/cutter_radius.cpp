@@ -1,3 +1,4 @@
+#include <cmath>
 #include <leadscrew/gcode/cutter_radius.hpp>
 
 namespace leadscrew::gcode {
@@ -17,12 +18,13 @@ std::optional<double> CutterRadius::of(const Block& block) {
   }
   modal_.cutter = given;
   if (*number == 0) return 0;
-  return of_tool(*number, column);
+  const std::optional<Cutter> cutter = of_tool(*number, column);
+  return cutter ? std::optional(std::fabs(cutter->radius)) : std::nullopt;
 }
 
-std::optional<double> CutterRadius::of_tool(int number, std::uint32_t column) {
+std::optional<Cutter> CutterRadius::of_tool(int number, std::uint32_t column) {
   const machine::Tool* const tool = tools_.find(number);
-  if (tool) return tool->diameter / 2;
+  if (tool) return Cutter{tool->diameter / 2, tool->orientation};
   if (!tools_.tools().empty()) {
     error("unknown-tool", column, "tool " + std::to_string(number) + " is not in the tool table",
           "give a tool table that holds it, with its diameter");
@@ -33,14 +35,25 @@ std::optional<double> CutterRadius::of_tool(int number, std::uint32_t column) {
                       "there is no tool table: the diameter of D" + std::to_string(number) + " is 0",
                       "give a tool table with the diameters of the tools");
   }
-  return 0;
+  return Cutter{};
 }
 
-std::optional<double> CutterRadius::of_compensation(const Block& block) {
-  const Code code = block.code(Group::cutter_radius);
-  const bool is_given = code == Code::G41_1 || code == Code::G42_1;
-  if (is_given && !block.has('D')) return std::nullopt;  // missing-word
-  if (is_given) return block['D'] * frame_.length_unit / 2;
+std::optional<Cutter> CutterRadius::given(const Block& block) {
+  if (!block.has('D')) return std::nullopt;  // missing-word
+  Cutter cutter{block['D'] * frame_.length_unit / 2};
+  if (!block.has('L')) return cutter;
+  const std::optional<int> orientation = as_integer(block['L']);
+  if (!orientation || *orientation < 0 || *orientation > 9) {
+    error("bad-value", block.column_of('L'), "the orientation of the tool is " + text(block['L']),
+          "an integer from 0 to 9");
+    return std::nullopt;
+  }
+  cutter.orientation = *orientation;
+  return cutter;
+}
+
+std::optional<Cutter> CutterRadius::of_compensation(const Block& block) {
+  if (block.is(Code::G41_1) || block.is(Code::G42_1)) return given(block);
   const std::uint32_t column = block.has('D') ? block.column_of('D') : block.column_of(Group::cutter_radius);
   const bool is_of_fanuc = is_of_fanuc_family(options_.dialect);
   std::optional<int> number = 0;
@@ -51,9 +64,9 @@ std::optional<double> CutterRadius::of_compensation(const Block& block) {
     return std::nullopt;
   }
   if (is_of_fanuc && block.has('D')) modal_.cutter = block['D'];
-  if (is_of_fanuc && *number == 0 && (block.has('D') || modal_.cutter)) return 0;
+  if (is_of_fanuc && *number == 0 && (block.has('D') || modal_.cutter)) return Cutter{};
   if (*number == 0) number = modal_.loaded_tool;
-  return *number == 0 ? 0 : of_tool(*number, column);
+  return *number == 0 ? Cutter{} : of_tool(*number, column);
 }
 
 }  // namespace leadscrew::gcode

@@ -226,9 +226,24 @@ void Offsets::set_tool(const Block& block, int kind) {
     return;
   } else {
     tool.offset = offset_to_reach(block, kind, tool.offset);
-    if (block.has('R')) tool.diameter = 2 * std::fabs(block['R']) * frame_.length_unit;
+    if (!set_shape(block, tool)) return;
   }
   tools_.set(std::move(tool));
+}
+
+// Of a tool as G10 L1, L10 and L11 tell it (LinuxCNC manual, G Codes).
+bool Offsets::set_shape(const Block& block, machine::Tool& tool) {
+  if (block.has('R')) tool.diameter = 2 * block['R'] * frame_.length_unit;
+  if (block.has('I')) tool.front_angle = block['I'];
+  if (block.has('J')) tool.back_angle = block['J'];
+  if (!block.has('Q')) return true;
+  const std::optional<int> orientation = as_integer(block['Q']);
+  if (!orientation || *orientation < 0 || *orientation > 9) {
+    return error("bad-value", block.column_of('Q'), "the orientation of the tool is " + text(block['Q']),
+                 "an integer from 0 to 9");
+  }
+  tool.orientation = *orientation;
+  return true;
 }
 
 // Fanuc: R of L10 is a length, of L11 its wear, of L12 a radius, of L13 its wear, which no tool table keeps.

@@ -38,6 +38,7 @@ class Offsets : Part {
   const machine::Tool* tool_of(const Block& block, bool& known);
   void set_tool(const Block& block, int kind);
   bool has_registers() const;
+  bool set_shape(const Block& block, machine::Tool& tool);
   void set_register(const Block& block, int kind, machine::Tool& tool);
   base::AxisVector offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const;
   std::optional<int> system_of(const Block& block, int kind);

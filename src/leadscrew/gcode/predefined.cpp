@@ -18,7 +18,9 @@ constexpr int active_tool_offset_number = 5081;
 constexpr int tool_number_number = 5400;
 constexpr int tool_offset_number = 5401;
 constexpr int tool_diameter_number = 5410;
-constexpr int last_tool_number = 5413;
+constexpr int tool_front_angle_number = 5411;
+constexpr int tool_back_angle_number = 5412;
+constexpr int tool_orientation_number = 5413;
 
 struct PredefinedRow {
   std::string_view name;
@@ -168,7 +170,7 @@ bool Predefined::is_read_only(std::string_view name) {
 bool Predefined::is_read_only(int number) {
   return axis_of_number(number, machine_position_number) || axis_of_number(number, active_tool_offset_number) ||
          axis_of_number(number, Parameters::current_position) ||
-         (tool_number_number <= number && number <= last_tool_number);
+         (tool_number_number <= number && number <= tool_orientation_number);
 }
 
 std::optional<double> Predefined::of_number(int number) const {
@@ -177,11 +179,11 @@ std::optional<double> Predefined::of_number(int number) const {
   if (const auto axis = axis_of_number(number, active_tool_offset_number)) {
     return frame_.tool()[base::index(*axis)] / frame_.unit(*axis);
   }
-  if (tool_number_number <= number && number <= last_tool_number) return tool_number(number);
+  if (tool_number_number <= number && number <= tool_orientation_number) return tool_number(number);
   return std::nullopt;
 }
 
-// Of the loaded tool: its number, offsets, diameter; front angle, back angle and orientation, which no tool table has.
+// Of the loaded tool: its number, offsets, diameter, front angle, back angle and orientation.
 double Predefined::tool_number(int number) const {
   if (number == tool_number_number) return modal_.loaded_tool;
   const machine::Tool* const tool = tools_.find(modal_.loaded_tool);
@@ -189,7 +191,16 @@ double Predefined::tool_number(int number) const {
   if (const auto axis = axis_of_number(number, tool_offset_number)) {
     return tool->offset[base::index(*axis)] / frame_.unit(*axis);
   }
-  return number == tool_diameter_number ? tool->diameter / frame_.length_unit : 0;
+  switch (number) {
+    case tool_diameter_number:
+      return tool->diameter / frame_.length_unit;
+    case tool_front_angle_number:
+      return tool->front_angle;
+    case tool_back_angle_number:
+      return tool->back_angle;
+    default:
+      return tool->orientation;
+  }
 }
 
 }  // namespace leadscrew::gcode

@@ -115,8 +115,10 @@ struct ReaderOptions {
   /// Who makes the passes of surfaces, for instance a thread of its own while they are checked here. None, or where it gives
   /// none: the reader, as it comes to them. Moves are the same.
   std::function<std::unique_ptr<surfaces::PassSource>(surfaces::Passes&)> pass_source{};
-  bool allows_gouging = false;  ///< surfaces are machined though the tool gouges where it touches; else `surface-gouge`
-  bool repeats = false;         ///< M99 in the main program: goes on from its beginning; otherwise ends it
+  /// Surfaces are machined though the tool gouges where it touches, else `surface-gouge`; gouges of cutter compensation where
+  /// ways meet are warnings, else errors, `cutter-gouge`.
+  bool allows_gouging = false;
+  bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
 /// Reads a part program block by block. Memory does not grow with the program. A block with a problem yields a

@@ -39,6 +39,7 @@ class ToolLine {
 
  private:
   static constexpr std::uint32_t shape_letters = letter_bit('R') | letter_bit('L') | letter_bit('H') | letter_bit('K');
+  static constexpr std::uint32_t lathe_letters = letter_bit('I') | letter_bit('J') | letter_bit('Q');
   static constexpr double ball_rounding = 1e-6;  // mm; by which R of a ball may differ from D/2
 
   bool has(char letter) const { return seen_ & letter_bit(letter); }
@@ -47,9 +48,10 @@ class ToolLine {
     const std::int64_t column = reporter_.column(p);
     const char letter = upper(*p);
     constexpr std::uint32_t known =
-        axis_letter_bits | shape_letters | letter_bit('T') | letter_bit('P') | letter_bit('D');
+        axis_letter_bits | shape_letters | lathe_letters | letter_bit('T') | letter_bit('P') | letter_bit('D');
     if (letter < 'A' || letter > 'Z' || !(known & letter_bit(letter))) {
-      return reporter_.error("bad-character", column, shown(*p) + " stands where T, P, D, R, L, H, K or an axis should",
+      return reporter_.error("bad-character", column,
+                             shown(*p) + " stands where T, P, D, R, L, H, K, I, J, Q or an axis should",
                              "T1 P1 D3.175 Z0.511 ;remark");
     }
     ++p;
@@ -89,8 +91,17 @@ class ToolLine {
         tool_.pocket = *integer;
         return true;
       case 'D':
-        if (value < 0) return refuse("the diameter is 0 or more");
         tool_.diameter = value;
+        return true;
+      case 'I':
+        tool_.front_angle = value;
+        return true;
+      case 'J':
+        tool_.back_angle = value;
+        return true;
+      case 'Q':
+        if (!integer || *integer < 0 || *integer > 9) return refuse("the orientation is an integer from 0 to 9");
+        tool_.orientation = *integer;
         return true;
       case 'R':
       case 'L':
@@ -124,7 +135,7 @@ class ToolLine {
     }
     if (!has('R')) return true;
     const double radius = tool_.diameter / 2;
-    if (!has('D') || radius == 0) {
+    if (!has('D') || radius <= 0) {
       return reporter_.error("missing-word", shape_column_, "R is of no diameter", "give D, above 0, beside R");
     }
     if (*tool_.corner_radius > radius + ball_rounding) {

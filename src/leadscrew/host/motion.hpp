@@ -46,7 +46,8 @@ struct MotionOptions {
   bool has_inputs = false;
   /// Probing moves (G38.2 … G38.5, G31) end where probe_found() says so. Otherwise as the machine's simulated probe does.
   bool has_probe = false;
-  /// Surfaces (G6.5) are machined though the tool gouges where it touches. Otherwise that is an error, `surface-gouge`.
+  /// Surfaces (G6.5) are machined though the tool gouges where it touches, and contours of cutter compensation where ways
+  /// beside both meet. Otherwise these are errors, `surface-gouge` and `cutter-gouge`.
   bool allows_gouging = false;
   std::optional<gcode::PathMode> path_mode{};  ///< in place of G61, G61.1 and G64
   std::optional<double> tolerance{};           ///< mm, ≥ 0, in place of P of G64

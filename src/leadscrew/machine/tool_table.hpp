@@ -22,13 +22,17 @@ struct Tool {
   int number = 0;             ///< T; > 0
   int pocket = 0;             ///< P; ≥ 0
   base::AxisVector offset{};  ///< tool length offset of each axis, mm or degrees
-  double diameter = 0;        ///< D, mm; ≥ 0
-  std::string remark{};       ///< for people
+  /// D, mm. Negative as LinuxCNC has it: cutter compensation is on the other side, for a program of the path of a larger tool.
+  double diameter = 0;
+  std::string remark{};  ///< for people
   /// R, mm, of its round edge: 0 flat, D/2 a ball, between them a bull nose. None: nothing is said of its shape.
   std::optional<double> corner_radius{};
   double length = 0;           ///< L, from the tip to the holder, mm; > 0, or 0 where it is not told
   double holder_diameter = 0;  ///< H, mm; > 0, or 0 where there is none
   double holder_length = 0;    ///< K, mm; > 0 where there is a holder
+  double front_angle = 0;      ///< I, of a lathe tool, degrees
+  double back_angle = 0;       ///< J, of a lathe tool, degrees
+  int orientation = 0;  ///< Q, of a lathe tool: 1 … 8, 0 and 9 its middle (LinuxCNC manual, "Lathe tool orientation")
 
   friend bool operator==(const Tool&, const Tool&) = default;
 };
