@@ -1,8 +1,13 @@
-"""Statements of the grammar beside those of generator.py: curves, polar words, diameters, kept modes, feed per
+"""Statements of the grammar beside those of generator.py: curves, contours with cutter compensation, polar words, diameters, kept modes, feed per
 revolution, surface speed, tool tables, local shifts, blocks that mix codes, and calls within calls."""
 
 
 import re
+
+from contours import Contour
+
+# Of the tools of the table, inches; the last is a lathe's.
+DIAMETERS = (0.12, -0.06, 0.03)
 
 
 class Further:
@@ -11,7 +16,8 @@ class Further:
     def further(self):
         self.random.choice([self.curve, self.quadratic, self.nurbs, self.polar, self.diameter, self.kept_modes, self.per_revolution,
                             self.surface, self.tool_data, self.local_shift, self.mixed, self.nested_calls, self.kept_in_sub,
-                            self.names_of_all, self.rounding, self.doubled_loops, self.machine_block])()
+                            self.names_of_all, self.rounding, self.doubled_loops, self.machine_block,
+                            self.compensated, self.compensated])()
 
     # Curves
 
@@ -50,6 +56,35 @@ class Further:
             self.lines.append(" ".join(words + [weight()]))
         self.block("G5.3")
         self.line()
+
+    # Cutter compensation
+
+    def compensated(self):
+        """A contour that the tool fits into, of a diameter given or of a tool, a lathe's among them."""
+        if self.inverse:
+            self.inverse = False
+            self.block(f"G94 F{self.random.randint(10, 900)}")
+        if self.diameters:
+            self.diameter()
+        plane = self.random.choice(["XY", "XY", "ZX"]) if not self.rotated else "XY"
+        if self.plane != plane:
+            self.block(self.set_plane(plane))
+        if self.incremental:
+            self.block(self.set_distance(False))
+        letters = "XYIJZ" if plane == "XY" else "ZXKIY"
+        level = self.value(-5, 5)
+        self.block("G0", self.word(letters[4], level))
+        place = self.to_known_place(letters[0], letters[1])
+        tool = self.random.randint(1, 2 if plane == "XY" else 3)
+        of_tool = self.chance(0.4)
+        radius = abs(DIAMETERS[tool - 1]) / 2 * (1 if self.inches else 25.4) if of_tool else self.value(0.5, 3)
+        word = f"D{tool}" if of_tool else f"D{2 * radius * self.random.choice([1, 1, -1]):.6f}"
+        word += f" L{self.random.randint(0, 9)}" if plane == "ZX" and not of_tool and self.chance(0.5) else ""
+        self.lines.append(f"{self.random.choice(['G41', 'G42'])}{'' if of_tool else '.1'} {word}")
+        contour = Contour(self.random, place, radius, letters, decimals=self.decimals() - 1, level=level, arc_first=plane == "XY")
+        contour.go()
+        self.lines += [*contour.lines, "G40"]
+        self.block(self.random.choice(["G0", "G1"]), self.word(letters[0], self.value(-30, 30)), self.word(letters[1], self.value(-30, 30)))
 
     # Coordinates
 

@@ -2,7 +2,7 @@
 
     linuxcnc_tests.py COMMAND TESTS [--record] [NAME…]
 
-TESTS is the folder `tests` of LinuxCNC's sources. Programs that need Python, M-codes of a user or cutter compensation
+TESTS is the folder `tests` of LinuxCNC's sources. Programs that need Python or M-codes of a user
 are told and not run. With NAMEs, only programs whose path holds one of them, with what was found in full. What was found
 last stands in linuxcnc-tests.txt, with the cause of each difference: the status is 1 where a verdict is another one now,
 and --record writes the verdicts of now, keeping the causes.
@@ -24,7 +24,8 @@ NOTES = re.compile(r"\([^)]*\)|;.*")
 BUILT_IN_TOOLS = "T1 P1 Z0.511\nT2 P2 Z0.1\nT3 P3 Z1.273\n"
 # Both refuse for one reason and name another line: ours that of the call or of the end, theirs where a search ended.
 ONE_REASON = (("missing-sub", "Failed to find sub|must be called with"),
-              ("program-end", "File ended with no percent sign or program end"))
+              ("program-end", "File ended with no percent sign or program end"),
+              ("cutter-gouge", "without gouging"))
 
 
 def reason_to_leave(program, text):
@@ -36,8 +37,6 @@ def reason_to_leave(program, text):
     if re.search(r"\(\s*py", text, re.I) or ";py" in text:
         return "Python"
     bare = NOTES.sub("", text)
-    if re.search(r"G\s*0*4[12](?!\d)", bare, re.I):
-        return "compensation"
     if re.search(r"M\s*1\d\d(?!\d)", bare, re.I):
         return "M-code of a user"
     return None
@@ -46,7 +45,7 @@ def reason_to_leave(program, text):
 def tools_in_mm(table, folder):
     """rs274 without an INI reads a table in inches."""
     text = table.read_text(errors="replace") if table else BUILT_IN_TOOLS
-    scaled = re.sub(r"([XYZUVWDIJ])\s*([-+]?[\d.]+)", lambda m: f"{m[1]}{float(m[2]) * 25.4:.6f}", text.upper())
+    scaled = re.sub(r"([XYZUVWD])\s*([-+]?[\d.]+)", lambda m: f"{m[1]}{float(m[2]) * 25.4:.6f}", text.upper())
     target = folder / "of-leadscrew.tbl"
     target.write_text(scaled)
     return ["--tools", target]

@@ -16,10 +16,11 @@ from concurrent.futures import ThreadPoolExecutor
 
 import generator
 import readers
+from further import DIAMETERS
 
 SKIPPED = 77
-TOOLS = "T1 P1 Z{0:.4f}\nT2 P2 Z{1:.4f} X{2:.4f}\nT3 P3 Z{3:.4f}\n"
-LENGTHS = (1.0, 2.5, 0.25, -0.5)  # inches, in which rs274 reads a table without an INI
+TOOLS = "T1 P1 Z{0:.4f} D{4:.4f}\nT2 P2 Z{1:.4f} X{2:.4f} D{5:.4f}\nT3 P3 Z{3:.4f} D{6:.4f} I93 J-20.5 Q2\n"
+LENGTHS = (1.0, 2.5, 0.25, -0.5, *DIAMETERS)  # inches, in which rs274 reads a table without an INI
 
 
 def compare(arguments, tables, program, name):

@@ -3,7 +3,7 @@
     test_grammar.py [--count N] [--seed S]
 
 Both distance modes with both levels of retraction in all planes, changes of units and offsets within a series of canned
-cycles, and each form of flow. Read from the texts, not from what the grammar means to write.
+cycles, cutter compensation in both planes, and each form of flow. Read from the texts, not from what the grammar means to write.
 """
 import argparse
 import collections
@@ -16,6 +16,7 @@ CYCLES = ("G73", "G74", "G81", "G82", "G83", "G84", "G85", "G86", "G89")
 FLOW = ("sub", "endsub", "call", "return", "if", "elseif", "else", "endif", "while", "endwhile", "do", "repeat", "endrepeat",
         "break", "continue")
 SYSTEMS = ("G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3")
+COMPENSATION = ("G41", "G42", "G41.1", "G42.1")
 MOTIONS = ("G0", "G1", "G2", "G3", "G5", "G5.1", "G5.2", "G33", "G33.1", "G76", "G38.2", "G80", "G53", "G28", "G30", "M2", "M30")
 
 
@@ -40,6 +41,9 @@ def count(text, counts):
                 counts[f"within {modes['retract']} {modes['plane']}: offsets"] += 1
         cycle = next((code for code in codes if code in CYCLES), None)
         series = cycle or (None if any(code in MOTIONS for code in codes) else series)
+        for code in codes:
+            if code in COMPENSATION:
+                counts[f"{code} {modes['plane']}"] += 1
         if cycle:
             counts[cycle] += 1
             counts[" ".join(("series", *modes.values()))] += 1
@@ -49,6 +53,7 @@ def wanted():
     planes, retracts = ("G17", "G18", "G19"), ("G98", "G99")
     names = [f"series {distance} {retract} {plane}" for distance in ("G90", "G91") for retract in retracts for plane in planes]
     names += [f"within {retract} {plane}: {what}" for retract in retracts for plane in planes for what in ("units", "offsets")]
+    names += [f"{code} {plane}" for code in COMPENSATION for plane in ("G17", "G18")]
     return names + [*CYCLES] + ["o " + word for word in FLOW]
 
 
