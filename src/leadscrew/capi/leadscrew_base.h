@@ -131,7 +131,7 @@ typedef struct leadscrew_options {
   int32_t
       has_probe; /**< not 0: leadscrew_motion_probe_found() ends probing moves; 0: as the machine's simulated probe does */
   int32_t has_inputs;    /**< not 0: leadscrew_motion_input_is() says what inputs are (M66); 0: they are off */
-  int32_t allow_gouging; /**< not 0: the tool may gouge, surfaces (G6.5) where it touches, and compensated contours; 0: error */
+  int32_t allow_gouging; /**< not 0: the tool may gouge, where it touches surfaces (G6.5) and in contours; 0: error */
   int32_t
       step_rule; /**< LEADSCREW_ARC_LENGTH … LEADSCREW_UNIFORM, of leadscrew_motion_next(); a trajectory is by arc length */
   int32_t path_mode;     /**< of a program: LEADSCREW_AS_PROGRAMMED … LEADSCREW_BLEND */
