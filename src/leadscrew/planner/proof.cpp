@@ -187,21 +187,28 @@ class SegmentProof {
   void look_at_joints() {
     for (std::size_t p = first_; p <= last_; ++p) {
       const double offset = section_.offset(p);
-      if (p > first_) look_on_both_sides(offset, p - 1, p);
+      if (p > first_) look_on_both_sides(time_at(segment_, offset), offset, p - 1, p);
       for (const double s : section_.piece(p).axes().breaks(begin_ - offset, end_ - offset))
-        look_on_both_sides(offset + s, p, p);
+        look_on_both_sides(time_at(segment_, offset + s), offset + s, p, p);
     }
   }
-  /// Where pieces of a table of arc length meet, if the step of jerk there may exceed a limit.
+  /// Where pieces of a table of arc length meet, if the step of jerk there may exceed a limit, and nothing does yet.
   void look_at_tables() {
     const double allowed = allowed_step();
+    if (allowed < 0) return;
+    double reached = 0;  // the time at the last of them
     for (std::size_t p = first_; p <= last_; ++p) {
       const double offset = section_.offset(p);
       const toolpath::AxisPath axes = section_.piece(p).axes();
       const double from = std::max(begin_ - offset, 0.0), to = std::min(end_ - offset, axes.length());
       if (from >= to) continue;
       axes.each_table_border(from, to, [&](const geometry::Nurbs::Border& border) {
-        if (!(border.step <= allowed)) look_on_both_sides(offset + border.s, p, p);
+        if (border.step <= allowed) return;
+        const double s = offset + border.s;
+        reached = numeric::bisect(reached, segment_.duration.value(), 30, [&](double t) {
+                    return evaluate(segment_, t).s < s;
+                  }).from;
+        look_on_both_sides(reached, s, p, p);
       });
     }
   }
@@ -217,8 +224,8 @@ class SegmentProof {
     }
     return least;
   }
-  void look_on_both_sides(double s, std::size_t before_it, std::size_t behind_it) {
-    const PathState at = evaluate(segment_, time_at(segment_, s));
+  void look_on_both_sides(double time, double s, std::size_t before_it, std::size_t behind_it) {
+    const PathState at = evaluate(segment_, time);
     constraints_.raise(see(before_it, s, Side::left).at_feed(feed_factor_), rates(at), ratios_);
     constraints_.raise(see(behind_it, s, Side::right).at_feed(feed_factor_), rates(at), ratios_);
   }
