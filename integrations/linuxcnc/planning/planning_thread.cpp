@@ -175,7 +175,10 @@ void PlanningThread::fail(const std::string& why) {
 }
 
 void PlanningThread::tell() {
-  if (!has_failed_ && !engine_->failure().empty()) fail(engine_->failure());
+  // Where motion is set down, planning is broken off, which is no failure.
+  const bool goes_on =
+      link_.set_down.load(std::memory_order_acquire) == set_down_ && !ends_.load(std::memory_order_acquire);
+  if (!has_failed_ && goes_on && !engine_->failure().empty()) fail(engine_->failure());
   link_.has_failed.store(has_failed_, std::memory_order_release);
   if (!has_failed_ && engine_->is_settled()) link_.finished.store(pushed_, std::memory_order_release);
   link_.seconds_ahead.store(engine_->controller().seconds_ahead(), std::memory_order_relaxed);
