@@ -113,13 +113,16 @@ export async function tableOf(page) {
     const columns = [...frame.querySelectorAll("th")].map((each) => each.textContent);
     const rows = [];
     const last = Number(document.querySelector(".lesson").dataset.clock);
-    frame.scrollTop = 0;
+    let passes = 0; // a busy computer may draw too late for one
     for (let top = 0; rows.filter(Boolean).length <= last; top += 200) {
       frame.scrollTop = top;
       await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
       for (const row of frame.querySelectorAll("tr[data-clock]"))
         rows[Number(row.dataset.clock)] = [...row.cells].map((cell) => Number(cell.textContent.replace("−", "-")));
-      if (top > frame.scrollHeight + 1000) throw new Error(`the table ends at ${rows.length} of ${last}`);
+      if (top <= frame.scrollHeight + 1000) continue;
+      const missing = [...Array(last + 1).keys()].filter((clock) => !rows[clock]);
+      if (++passes === 3 && missing.length > 0) throw new Error(`the table has not clocks ${missing} of ${last}`);
+      top = -200;
     }
     return { columns, rows };
   });
