@@ -197,7 +197,7 @@ std::optional<Continuation> SpeedProfile::continuation(std::size_t interval, dou
     }
     if (!(bounds_.greatest_ratio(problem_, next, interval) < 1)) return std::nullopt;
   }
-  if (interval + 2 >= knots().s.size()) return std::nullopt;
+  if (interval >= intervals() || interval + 2 >= knots().s.size()) return std::nullopt;
   Continuation after;
   const auto from = static_cast<std::ptrdiff_t>(interval);
   after.s.assign(knots().s.begin() + from, knots().s.end());
