@@ -8,10 +8,10 @@ namespace leadscrew::numeric {
 
 /// eˣ, |x| ≤ 700. The error is below 2⁻⁹⁴ of it.
 DoubleDouble exp(DoubleDouble x);
-/// Natural logarithm, 0 < x < ∞. The error is below 2⁻⁹⁴ of it or of 1.
+/// Natural logarithm, 1e-300 ≤ x ≤ 1e300. The error is below 2⁻⁹⁴ of it or of 1.
 DoubleDouble fine_log(double x);
 
-/// baseˣ, 0 < base < ∞, |x ln base| ≤ 700: the double that is nearest, unless two are as near to within 2⁻²⁸ of their distance.
+/// baseˣ, 1e-300 ≤ base ≤ 1e300, |x ln base| ≤ 700: the double that is nearest, unless two are as near to within 2⁻²⁸ of their distance.
 double pow(double base, double x);
 
 }  // namespace leadscrew::numeric

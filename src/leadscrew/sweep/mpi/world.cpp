@@ -56,7 +56,7 @@ class MpiWorld final : public World {
   }
   ~MpiWorld() override {
     if (is_aborted_) return;  // while it ends
-    broadcast({});            // until all have done their tasks
+    broadcast({});            // others stay until rank 0, which has gathered from all, is here
     service_.reset();
     MPI_Win_unlock_all(window_);
     MPI_Win_free(&window_);
