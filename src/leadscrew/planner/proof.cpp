@@ -100,7 +100,7 @@ class Peaks {
 
 /// Where polynomials are many, most are those of a curve's table of arc length, which run smoothly from one to the next.
 int looks_at_polynomials(std::size_t count) {
-  const std::size_t close = std::min(count, few_polynomials), seen = std::min(count, most_borders);
+  const std::size_t close = std::min(count, few_polynomials), seen = std::min(count, most_polynomials);
   return looks_per_polynomial * static_cast<int>(close) + looks_per_more * static_cast<int>(seen - close);
 }
 
@@ -128,12 +128,11 @@ class SegmentProof {
   Ratios ratios(int looks) {
     const std::size_t borders = section_.borders(begin_, end_);
     looks = std::max(looks, looks_at_polynomials(borders + 1));
-    if (look_along(looks)) look_along(2 * looks);
+    for (int closer = 0; look_along(looks) && closer < most_closer; ++closer) looks *= 2;
     look_at_joints();
-    if (borders > 0 && borders <= most_borders) look_at_tables();
+    if (borders > 0) look_at_tables();
     const machine::Derivatives greatest = ratios_.by_derivative();
-    const double unseen = borders > most_borders ? dense_steps : 1;
-    const double rows = std::max(greatest.acceleration, greatest.jerk * unseen) * between_looks;
+    const double rows = std::max(greatest.acceleration, greatest.jerk) * between_looks;
     constexpr double rounding = 1e-9;
     const bool turns_back = std::min(slowest_[0], slowest_[1]) < -rounding * std::max(fastest_[0], fastest_[1]);
     return {greatest.velocity, turns_back ? std::max(turning_back, rows) : rows, turns_back};

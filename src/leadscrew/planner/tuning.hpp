@@ -175,12 +175,11 @@ inline constexpr int first_looks = 8;       // most attempts are seen to fail by
 /// by the referee, set these. Each look is an evaluation of a curve.
 namespace proof {
 inline constexpr int looks_per_polynomial = 3;
-inline constexpr std::size_t few_polynomials = 8;  // of a segment, that are looked at so often
-inline constexpr int looks_per_more = 2;           // of those beyond
-inline constexpr std::size_t most_borders = 600;   // that are looked at so closely
-inline constexpr double between_looks = 1 + 1e-5;  // of what is no parabola
-inline constexpr double dense_steps =
-    1 + 1e-3;  // of jerk, where there are so many that not all are looked at: at a cusp
+inline constexpr std::size_t few_polynomials = 8;     // of a segment, that are looked at so often
+inline constexpr int looks_per_more = 2;              // of those beyond
+inline constexpr std::size_t most_polynomials = 600;  // that are looked at so closely
+inline constexpr int most_closer = 2;                 // times, each twice as close, where a cubic may exceed a limit
+inline constexpr double between_looks = 1 + 1e-5;     // of what is no parabola
 }  // namespace proof
 
 /// The bound of the time without jerk. Finer: nearer to the closed forms and published times of test_time_bound.
