@@ -1,8 +1,9 @@
 """pip install --no-build-isolation . : in this folder of the source tree, offline.
 
-The compiled module is that of an installed leadscrew of the same version, where CMake's find_package knows one that has a module
-for this interpreter. Otherwise, and where LEADSCREW_BUILD names a folder, it is a target of the project's own build,
-LEADSCREW_PYTHON: built in that folder or in build/release of the tree, where what is there is not compiled again.
+Where the tree is a release's, the compiled module is that of an installed leadscrew of the same version, if CMake's find_package
+knows one that has a module for this interpreter. Otherwise, in a clone (whose version says nothing of its commit), and where
+LEADSCREW_BUILD names a folder, it is a target of the project's own build, LEADSCREW_PYTHON: built in that folder or in build/release
+of the tree, where what is there is not compiled again.
 """
 
 import os
@@ -26,7 +27,8 @@ class CMakeBuild(build_ext):
 
     def build_extension(self, extension):
         target = pathlib.Path(self.get_ext_fullpath(extension.name))
-        made = None if "LEADSCREW_BUILD" in os.environ else installed(target.name)
+        builds = "LEADSCREW_BUILD" in os.environ or (TREE / ".git").exists()
+        made = None if builds else installed(target.name)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(made or built(target.name), target)
 

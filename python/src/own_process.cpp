@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <leadscrew/files/descriptor.hpp>
+#include <mutex>
 #include <stdexcept>
 #include <system_error>
 
@@ -16,12 +17,16 @@ namespace leadscrew::python {
 
 namespace {
 
-constexpr int between_looks = 20;  // ms
+constexpr int between_looks = 20;         // ms
+constexpr char done = '+', failed = '-';  // before the text, or before what an exception says
 
 /// A process that writes a text; ended with this.
 class Writer {
  public:
   explicit Writer(const std::function<std::string()>& work) {
+    // Another thread's process would have this one's end of the pipe, which then ends with both.
+    static std::mutex one_at_a_time;
+    const std::scoped_lock lock(one_at_a_time);
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "a process");
     output_ = files::Descriptor(ends[0]);
@@ -57,7 +62,13 @@ class Writer {
   [[noreturn]] static void write(const std::function<std::string()>& work, int to) noexcept {
     ::signal(SIGINT, SIG_IGN);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    ::_exit(files::write_all(to, work(), "a process") ? 0 : 1);
+    std::string text;
+    try {
+      text = done + work();
+    } catch (const std::exception& error) {
+      text = failed + std::string(error.what());
+    }
+    ::_exit(files::write_all(to, text, "a process") ? 0 : 1);
   }
 
   files::Descriptor output_;
@@ -74,6 +85,9 @@ std::string in_own_process(Watch& watch, const std::function<std::string()>& wor
   writer.end();
   if (text.empty())
     throw std::runtime_error("expected a text of the process that was started, and it ended without one");
+  const bool has_failed = text[0] == failed;
+  text.erase(0, 1);
+  if (has_failed) throw std::runtime_error(text);
   return text;
 }
 

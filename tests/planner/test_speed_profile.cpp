@@ -273,6 +273,7 @@ RC_GTEST_PROP(SpeedProfile, GoesOnInTheSameWayOnMoreKnots, ()) {
   const double u = any(0, 3) == 0 ? 0.0 : any(0, 1000) / 1000.0;
   const std::optional<planner::Continuation> after = first.continuation(k, u);
   RC_ASSERT(after.has_value());
+  RC_ASSERT(!first.continuation(n, u).has_value());
   planner::Knots knots{after->s, after->breaks, n - k, 0, after->end_ramp};
   for (int count = any(0, 20); count > 0 && n - k > 12; --count) {
     const auto at = any<std::size_t>(0, knots.intervals - 10);

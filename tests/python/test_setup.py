@@ -1,4 +1,4 @@
-"""setup.py takes a module for the interpreter that runs it, and no other; that of an installed leadscrew of the same version."""
+"""setup.py takes a module for the interpreter that runs it, and no other; in a release's tree that of an installed leadscrew."""
 
 import importlib.machinery
 import os
@@ -29,9 +29,9 @@ class Setup(unittest.TestCase):
         (tools / "cmake").chmod(0o755)
         return self.run_setup(folder, LEADSCREW_BUILD=str(folder / "build"), PATH=f"{tools}:{os.environ['PATH']}")
 
-    def run_setup(self, folder, **environment):
+    def run_setup(self, folder, tree=TREE, **environment):
         return subprocess.run([sys.executable, "-B", "setup.py", "-q", "build_ext", "-b", str(folder / "lib"), "-t", str(folder / "temp")],
-                              cwd=TREE / "python", env={**os.environ, **environment}, capture_output=True, text=True, check=False)
+                              cwd=tree / "python", env={**os.environ, **environment}, capture_output=True, text=True, check=False)
 
     def install(self, folder, version=None):
         """The project's own files for find_package, with a module that is text; in a prefix of `folder`."""
@@ -50,12 +50,36 @@ class Setup(unittest.TestCase):
         (package / f"_core{SUFFIX}").write_text("installed")
         return files
 
+    def released(self, folder):
+        """What setup.py reads of a release's tree."""
+        tree = folder / "tree"
+        shutil.copytree(TREE / "python", tree / "python")
+        shutil.copy(TREE / "CMakeLists.txt", tree)
+        return tree
+
+    def module_of_installed(self, folder, tree, **environment):
+        done = self.run_setup(folder, tree, leadscrew_ROOT=str(self.install(folder)), **environment)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return (folder / "lib" / "leadscrew" / f"_core{SUFFIX}").read_text()
+
     def test_takes_the_module_of_an_installed_leadscrew_of_this_version(self):
         with tempfile.TemporaryDirectory() as given:
             folder = pathlib.Path(given)
-            done = self.run_setup(folder, leadscrew_ROOT=str(self.install(folder)))
-            self.assertEqual(done.returncode, 0, done.stderr)
-            self.assertEqual((folder / "lib" / "leadscrew" / f"_core{SUFFIX}").read_text(), "installed")
+            self.assertEqual(self.module_of_installed(folder, self.released(folder)), "installed")
+
+    def test_takes_its_own_in_a_clone_whatever_is_installed(self):
+        with tempfile.TemporaryDirectory() as given:
+            folder = pathlib.Path(given)
+            tree = self.released(folder)
+            (tree / ".git").mkdir()
+            made, tools = tree / "build" / "release" / "python" / "leadscrew" / f"_core{SUFFIX}", folder / "tools"
+            for each in (made.parent, tools):
+                each.mkdir(parents=True)
+            made.write_text("of this clone")
+            (tree / "build" / "release" / "CMakeCache.txt").touch()
+            (tools / "cmake").write_text("#!/bin/sh\n")
+            (tools / "cmake").chmod(0o755)
+            self.assertEqual(self.module_of_installed(folder, tree, PATH=f"{tools}:{os.environ['PATH']}"), "of this clone")
 
     def test_knows_no_installed_leadscrew_of_another_version(self):
         with tempfile.TemporaryDirectory() as given:

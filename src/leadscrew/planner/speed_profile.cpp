@@ -188,6 +188,7 @@ void SpeedProfile::level_cruises() {
 /// Where the profile has been levelled it lies on its greatest speed, where no barrier can start: what follows leaves
 /// it by as smooth a share as it was reached.
 std::optional<Continuation> SpeedProfile::continuation(std::size_t interval, double u) const {
+  if (interval >= intervals() || interval + 2 >= knots().s.size()) return std::nullopt;
   std::vector<double> next = c();
   if (!levelled_.empty()) {
     const std::vector<double>& before_levelling = iterate_.coefficients();
@@ -197,7 +198,6 @@ std::optional<Continuation> SpeedProfile::continuation(std::size_t interval, dou
     }
     if (!(bounds_.greatest_ratio(problem_, next, interval) < 1)) return std::nullopt;
   }
-  if (interval >= intervals() || interval + 2 >= knots().s.size()) return std::nullopt;
   Continuation after;
   const auto from = static_cast<std::ptrdiff_t>(interval);
   after.s.assign(knots().s.begin() + from, knots().s.end());
