@@ -2,6 +2,7 @@
  *
  * Moves on their way to Leadscrew, and where motion is set down. */
 #include <math.h>
+#include <stddef.h>
 
 #include "agreement.h"
 #include "motion_types.h"
@@ -124,9 +125,10 @@ int tpSetPos(TP_STRUCT* const tp, EmcPose const* const pose) {
   return TP_ERR_OK;
 }
 
+/* Also on the way to rest of an abort: what task has to do next waits until motion is set down. */
 int tcqFull(TC_QUEUE_STRUCT const* const queue) {
-  (void)queue;
-  return leadscrew_state.added - leadscrew_state.begun >= nearly_full;
+  const TP_STRUCT* tp = (const TP_STRUCT*)((const char*)queue - offsetof(TP_STRUCT, queue));
+  return tp->aborting || leadscrew_state.added - leadscrew_state.begun >= nearly_full;
 }
 
 static double distance(const EmcPose* a, const EmcPose* b) {
@@ -204,7 +206,8 @@ static void fill(const TP_STRUCT* tp, struct leadscrew_tp_move* move, const stru
 /* Takes the move on its way. */
 static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entry, double ini_maxvel) {
   struct state* state = &leadscrew_state;
-  if (tp->aborting) return TP_ERR_OK; /* it would be forgotten at once */
+  /* It would be forgotten: where motion has failed, all is; else tcqFull has said to wait. */
+  if (tp->aborting) return state->has_failed ? TP_ERR_OK : TP_ERR_FAIL;
   if (state->has_failed || !(ini_maxvel > 0)) return TP_ERR_FAIL;
   if (tp->done && limits_changed()) set_down(tp);
   if (tp->done && !kinematics_agree()) return TP_ERR_FAIL;

@@ -22,6 +22,7 @@ class Record:
             return
         self.outputs = [int(float(row[4])) for row in rows]
         self.analogs = [float(row[5]) for row in rows]
+        self.jogs = [row[-1] == "1" for row in rows]
 
     def differences(self, order):
         """The greatest of an axis, mm/s^order."""
@@ -32,6 +33,19 @@ class Record:
                 values = [(b - a) * 1000 for a, b in zip(values, values[1:])]
             worst = max(worst, max(map(abs, values), default=0))
         return worst
+
+    def planned(self):
+        """Its pieces outside of jogs, which motmod plans itself (its pin teleop-mode in the last column), no word missing in any."""
+        pieces, last = [], None
+        for number, place, is_jog in zip(self.numbers, self.places, self.jogs):
+            if is_jog:
+                continue
+            if number - 1 != last:
+                pieces.append(Record(""))
+            last = number
+            pieces[-1].numbers.append(number)
+            pieces[-1].places.append(place)
+        return pieces
 
     def speed(self, second):
         """Along the path, at that time of the record, mm/s."""

@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """Stands in for LinuxCNC's screen: plays the jobs of jobs.json and records each one's words.
 
-A job has a name, a start ("X10 Y0"), a program's text or an MDI command, and acts: [seconds after its start, what, value].
-NAME.record gets a line for each servo period: number, then X, Y and Z in nanometres, and outputs. NAME.said gets what
-LinuxCNC has to say against it, NAME.end where it ended and how long the servo thread took, at most.
+A job has a name, a start ("X10 Y0"), a program's text, and acts: [seconds after its start, what, value]. The program is run at
+once, where no act runs it. NAME.record gets a line for each servo period: number, then X, Y and Z in nanometres, and outputs.
+NAME.said gets what LinuxCNC has to say against it, NAME.end where it ended and how long the servo thread took, at most.
 """
 import json
 import pathlib
@@ -15,7 +15,32 @@ from screen import at_rest, command, complaints, hal, mdi, open_program, polled,
 PATIENCE = 120  # s
 
 
+def settle(rests, what):
+    """Waits until this holds ten times, one behind the other."""
+    times = 0
+
+    def holds():
+        nonlocal times
+        times = times + 1 if rests() else 0
+        return times == 10
+
+    wait_until(holds, what, PATIENCE)
+
+
+def is_over():
+    """At rest, and no command is on its way."""
+    return at_rest() and status.queued_mdi_commands == 0
+
+
+def stands():
+    before = status.joint_position
+    status.poll()
+    return status.joint_position == before
+
+
 def jog(axis, speed, seconds):
+    """From rest to rest."""
+    settle(is_over, "rest before a jog")
     command.mode(linuxcnc.MODE_MANUAL)
     command.wait_complete()
     command.teleop_enable(1)
@@ -23,7 +48,21 @@ def jog(axis, speed, seconds):
     command.jog(linuxcnc.JOG_CONTINUOUS, 0, axis, speed)
     time.sleep(seconds)
     command.jog(linuxcnc.JOG_STOP, 0, axis)
-    time.sleep(0.5)
+    settle(stands, "rest behind a jog")
+
+
+def begin(mode, action):
+    """A program or a command, in its mode; it is on its way."""
+    status.poll()
+    if status.task_mode != mode:
+        command.mode(mode)
+        command.wait_complete()
+    action()
+    wait_until(polled(lambda: status.echo_serial_number == command.serial), "the start", 10)
+
+
+def run():
+    begin(linuxcnc.MODE_AUTO, lambda: command.auto(linuxcnc.AUTO_RUN, 0))
 
 
 def act(what, value):
@@ -49,6 +88,10 @@ def act(what, value):
         mdi(value)
     elif what == "jog":
         jog(*value)
+    elif what == "send":
+        begin(linuxcnc.MODE_MDI, lambda: command.mdi(value))
+    elif what == "run":
+        run()
 
 
 def play(job):
@@ -65,13 +108,12 @@ def play(job):
         open_program(program)
     with recorded(job["name"] + ".record"):
         began = time.monotonic()
-        if "program" in job:
-            command.auto(linuxcnc.AUTO_RUN, 0)
-            wait_until(polled(lambda: status.echo_serial_number == command.serial), "the start")
+        if "program" in job and not any(what == "run" for _, what, _ in job.get("acts", [])):
+            run()
         for moment, what, value in job.get("acts", []):
             time.sleep(max(0, began + moment - time.monotonic()))
             act(what, value)
-        wait_until(at_rest, f"the end of {job['name']}", PATIENCE)
+        settle(is_over, f"the end of {job['name']}")
     status.poll()
     end = {"position": status.position[:6], "servo_thread_ns": hal("getp", "motion-controller.tmax")}
     pathlib.Path(job["name"] + ".end").write_text(json.dumps(end))

@@ -188,10 +188,14 @@ TEST(Functions, tpAbort) {
   corner(motmod);
   EXPECT_TRUE(motmod.cycle_until([&] { return motmod.speed() > 50; }));
   EXPECT_EQ(motmod.functions.tpAbort(&motmod.tp), TP_ERR_OK);
+  // A move that came now would be lost: it is told to wait, and refused if it does not.
+  EXPECT_TRUE(motmod.functions.tcqFull(&motmod.tp.queue));
+  EXPECT_EQ(motmod.line(7, 7), TP_ERR_FAIL);
   // However long planning takes, motion that is handed over is over soon.
   EXPECT_TRUE(motmod.cycle_until([&] { return motmod.functions.tpIsDone(&motmod.tp) != 0; }, 1000));
   EXPECT_LT(motmod.pose.tran.y, 19);
   EXPECT_EQ(motmod.tp.aborting, 0);
+  EXPECT_FALSE(motmod.functions.tcqFull(&motmod.tp.queue));
   EXPECT_LE(motmod.difference(3), 20000 * 1.001);
 }
 
