@@ -86,6 +86,8 @@ def act(what, value):
         hal("setp", *value)
     elif what == "mdi":
         mdi(value)
+    elif what == "rest":
+        settle(is_over, "rest")
     elif what == "jog":
         jog(*value)
     elif what == "send":

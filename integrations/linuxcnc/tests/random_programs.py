@@ -152,7 +152,8 @@ def jog_of(draw):
 
 def after_an_abort(draw, moment, end):
     """What follows it, soon, and where that ends."""
-    acts, place = [[moment, "abort", 0]], end
+    # Whatever planner there is, LinuxCNC's interpreter is told at rest where it is, and reads wrong if it has gone on before.
+    acts, place = [[moment, "abort", 0], [moment, "rest", 0]], end
     moment += draw.choice([0, 0.01, draw.uniform(0, 0.5)])
     if draw.random() < 0.3:
         acts.append([moment, "jog", jog_of(draw)])
@@ -184,7 +185,7 @@ def job_of(seed, number):
     if aborts:
         moment = draw.uniform(0, min(program.seconds + 0.5, 6))
         if "program" not in job:
-            acts_after, end = [[moment, "abort", 0], [moment + draw.uniform(0, 0.3), "send", "G21 G90 G0 X1 Y2 Z3"]], [1, 2, 3]
+            acts_after, end = [[moment, "abort", 0], [moment, "rest", 0], [moment + draw.uniform(0, 0.3), "send", "G21 G90 G0 X1 Y2 Z3"]], [1, 2, 3]
         else:
             acts_after, end = after_an_abort(draw, moment, end)
         meanwhile = [act for act in meanwhile if act[0] < moment] + acts_after + [
