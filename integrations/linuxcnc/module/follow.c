@@ -34,18 +34,22 @@ static void go_to(TP_STRUCT* tp, const struct entry* entry) {
 /* Of the axes, along the line. */
 static void begin_line(TP_STRUCT* tp, const struct entry* entry) {
   struct state* state = &leadscrew_state;
-  double start[leadscrew_tp_axes], end[leadscrew_tp_axes];
+  const struct leadscrew_tp_limits limits = leadscrew_tp_limits_of(state->planning, &state->limits);
+  double start[leadscrew_tp_axes], end[leadscrew_tp_axes], first[leadscrew_tp_axes], last[leadscrew_tp_axes];
   double velocity = HUGE_VAL, acceleration = HUGE_VAL, jerk = HUGE_VAL, square = 0;
   position_of(&entry->start, start);
   position_of(&entry->end, end);
   for (int axis = 0; axis < 3; ++axis) square += (end[axis] - start[axis]) * (end[axis] - start[axis]);
   state->length = sqrt(square);
+  /* Where no rotary axis moves, a machine's axes go along lines too. */
+  leadscrew_tp_axes_of(state->planning, start, limits.tool, first);
+  leadscrew_tp_axes_of(state->planning, end, limits.tool, last);
   for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
-    const double share = fabs(end[axis] - start[axis]) / state->length;
-    if (share == 0) continue;
-    velocity = fmin(velocity, state->limits.velocity[axis] / share);
-    acceleration = fmin(acceleration, state->limits.acceleration[axis] / share);
-    jerk = fmin(jerk, state->limits.jerk[axis] / share);
+    const double share = fabs(last[axis] - first[axis]) / state->length;
+    if (share < 1e-12) continue;
+    velocity = fmin(velocity, limits.velocity[axis] / share);
+    acceleration = fmin(acceleration, limits.acceleration[axis] / share);
+    jerk = fmin(jerk, limits.jerk[axis] / share);
   }
   leadscrew_tp_follower_begin(&state->follower, velocity, acceleration, jerk, tp->cycleTime);
 }

@@ -179,10 +179,13 @@ static void synchronize(const TP_STRUCT* tp, struct entry* entry) {
   }
 }
 
-/* It would keep no limits of the axes. */
-static int is_thread_of_tip(const struct entry* entry) {
+/* With kinematics of rotary axes the others would leave their lines, and keep no limits. */
+static int is_turning_thread(const struct entry* entry) {
+  const EmcPose *start = &entry->start, *end = &entry->end;
   if (entry->kind < thread_move || leadscrew_tp_machine_axes(leadscrew_state.planning) == 0) return 0;
-  rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: no threads or taps where rotary axes make the kinematics\n");
+  if (start->a == end->a && start->b == end->b && start->c == end->c) return 0;
+  rtapi_print_msg(RTAPI_MSG_ERR,
+                  "leadscrew_tp: a thread or tap that moves rotary axes which make the kinematics; set them before it\n");
   return 1;
 }
 
@@ -214,7 +217,7 @@ static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entr
   if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
   if (entry->kind == free_move) synchronize(tp, entry);
   if (move->is_arc && entry->kind == thread_move) return TP_ERR_FAIL;
-  if (is_thread_without_length(entry) || is_thread_of_tip(entry)) return TP_ERR_FAIL;
+  if (is_thread_without_length(entry) || is_turning_thread(entry)) return TP_ERR_FAIL;
   fill(tp, move, entry, ini_maxvel);
   move->number = state->added + 1;
   entry->id = tp->nextId;

@@ -9,12 +9,13 @@ namespace {
 
 using Follower = leadscrew_tp_follower;
 
-constexpr double memory = 0.016;         // s, of the estimate of the spindle: each of its three roots
-constexpr double share = 0.5;            // of the limits, with which errors are planned to be braked away
-constexpr double near_limit = 0.6;       // of the limits, from which on a polynomial ends the line
-constexpr double most_burden = 0.92;     // of the limits: places before it are sums, and it is not
+constexpr double memory = 0.016;      // s, of the estimate of the spindle: each of its three roots
+constexpr double share = 0.5;         // of the limit of jerk, with which errors of speed are planned to be braked away
+constexpr double place_share = 0.3;   // of both limits, with which errors of place are
+constexpr double near_limit = 0.6;    // of the limits, from which on a polynomial ends the line
+constexpr double most_burden = 0.92;  // of the limits: places before it are sums, and it is not
 constexpr double slow = 1e-4, soft = 1;  // mm/s, mm/s²: rest
-constexpr double largest_gain = 400;     // 1/s
+constexpr double largest_gain = 30;      // 1/s, of errors of place; four times as much of those of speed
 
 /// y such that y·dy/dx ≤ `rate`: gain·x near 0, then the root.
 double braked(double x, double rate, double gain) {
@@ -24,10 +25,25 @@ double braked(double x, double rate, double gain) {
 }
 
 double error_gain(const Follower& f) {
-  return std::min(share * f.jerk / f.acceleration, largest_gain / 4);
+  return std::min(largest_gain, 0.125 / f.period);
 }
 double speed_gain(const Follower& f) {
   return 4 * error_gain(f);
+}
+
+/// The speed by which an error of place is made good, so that neither jerk nor acceleration exceed their shares: gain·e near 0;
+/// then c·(e - e1/2)^⅔ with c = ∛(9/2·jerk), along which the jerk is constant; then √(c1² + 2·acceleration·(e - e2)).
+double catching_up(const Follower& f, double error) {
+  const double gain = error_gain(f), jerk = place_share * f.jerk, acceleration = place_share * f.acceleration;
+  const double c = std::cbrt(4.5 * jerk);
+  const double first = std::pow(2 * c / (3 * gain), 3);             // of e - e1/2, where both slopes are the gain
+  const double second = std::pow(1.5 * acceleration / (c * c), 3);  // of it, where the acceleration is the share
+  if (second <= first) return braked(error, acceleration, gain);
+  const double far = std::abs(error) - first / 2;
+  if (far <= first) return gain * error;
+  const double root = std::cbrt(std::min(far, second)), speed = c * root * root;
+  const double beyond = std::max(0.0, far - second);
+  return std::copysign(std::sqrt(speed * speed + 2 * acceleration * beyond), error);
 }
 
 /// Takes a place of the spindle; Brookner, "Tracking and Kalman filtering made easy", table 1.3-1 (fading memory).
@@ -154,9 +170,9 @@ int leadscrew_tp_follower_follow(leadscrew_tp_follower* follower, double place, 
   if (f.duration > 0) return go_on(f, end);
   estimate(f, place);
   // In the middle and at the end of this period, as the sums of move() have it.
-  const double spindle_speed = f.speed + f.change * f.period / 2, gain = error_gain(f);
+  const double spindle_speed = f.speed + f.change * f.period / 2;
   const double error = f.place + spindle_speed * f.period - (f.s + (f.v + f.change * f.period) * f.period);
-  const double wanted = spindle_speed + braked(error, share * f.acceleration, gain);
+  const double wanted = spindle_speed + catching_up(f, error);
   const double most = std::isfinite(end) ? std::min(f.velocity, ending_speed(f, end)) : f.velocity;
   const double speed = std::clamp(wanted, -f.velocity, most);
   move(f, wanted <= most ? f.change + towards(f, speed - f.change * f.period) : towards(f, speed));

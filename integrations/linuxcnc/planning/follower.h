@@ -5,7 +5,7 @@
  * acceleration are estimated from the last places (a filter of third order, critically damped: a steady spindle is
  * followed without lag). The wanted speed is the spindle's and what makes good the error e:
  *
- *   v = w + f(e),   f(e) = k·e near 0, then the root of it by which e can be braked away
+ *   v = w + f(e),   f(e) = k·e near 0, then the power 2/3 of it by which e can be braked away with a constant jerk, then the root
  *   a = dw/dt + g(v - speed),  likewise for speed by jerk
  *
  * Behind the run-in, as long as the spindle's own jerk is below the limit, the error is that of the estimate. A line ends by

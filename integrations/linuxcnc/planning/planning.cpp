@@ -78,6 +78,19 @@ unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp) {
   return axes;
 }
 
+struct leadscrew_tp_limits leadscrew_tp_limits_of(const leadscrew_tp* tp, const struct leadscrew_tp_limits* limits) {
+  struct leadscrew_tp_limits found = *limits;
+  if (!tp->kinematics.machine()) return found;
+  for (const leadscrew::base::Axis axis : leadscrew::base::all_axes) {
+    const std::size_t i = leadscrew::base::index(axis);
+    const auto& own = tp->kinematics.machine()->axes[i];
+    found.velocity[i] = own ? own->velocity : 0;
+    found.acceleration[i] = own ? own->acceleration : 0;
+    if (own) found.jerk[i] = std::min(found.jerk[i], own->jerk);
+  }
+  return found;
+}
+
 leadscrew_tp* leadscrew_tp_create(const leadscrew_tp_options* options, void (*report)(const char*)) {
   try {
     const std::optional<Kinematics> kinematics = kinematics_of(options->machine, report);

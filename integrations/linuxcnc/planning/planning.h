@@ -95,6 +95,9 @@ void leadscrew_tp_axes_of(const leadscrew_tp* tp, const double pose[leadscrew_tp
                           double axes[leadscrew_tp_axes]);
 /** Any thread's: which axes there are by the machine's file, as bits from X, 1; 0 without such a file. */
 unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp);
+/** Any thread's: the limits in force where these are asked for: with a machine's file those of its axes, with no more jerk than
+ * these; without, these. */
+struct leadscrew_tp_limits leadscrew_tp_limits_of(const leadscrew_tp* tp, const struct leadscrew_tp_limits* limits);
 
 /** Starts the thread of planning, of no priority. `report` gets a line for each problem, on that thread, and must outlive
  * it. NULL where there is no memory or no thread, or the machine's file has a problem, which is reported. */

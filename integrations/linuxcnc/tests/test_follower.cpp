@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "follower.h"
@@ -54,6 +57,54 @@ TEST(Follower, IsInStepWithAWanderingSpindleBehindItsRunInAndEndsAtTheEnd) {
       EXPECT_LE(burden(places), 1.001) << speed << " of " << lead;
     }
   }
+}
+
+/// Places on a line without an end, along which the spindle asks for lead · revolutions.
+std::vector<double> followed(const std::function<double(double)>& place, double seconds, double cycle = period) {
+  leadscrew_tp_follower follower;
+  leadscrew_tp_follower_begin(&follower, velocity, acceleration, jerk, cycle);
+  std::vector<double> places;
+  for (int n = 0; n * cycle < seconds; ++n) {
+    leadscrew_tp_follower_follow(&follower, place(n * cycle), std::numeric_limits<double>::infinity());
+    places.push_back(follower.s);
+  }
+  return places;
+}
+
+TEST(Follower, RunsInWithinWhatIsTold) {
+  // s at mm/s, of a spindle that wanders by 5 %: then within 10 µm.
+  for (const auto& [speed, run_in] : {std::pair{10.0, 0.1}, {30.0, 0.22}, {50.0, 0.3}}) {
+    const auto place = [speed](double t) { return revolutions(t, speed, 0.05, 1); };
+    const std::vector<double> places = followed(place, 3);
+    double worst = 0;
+    for (std::size_t n = 0; n < places.size(); ++n) {
+      const double t = period * static_cast<double>(n);
+      if (t >= run_in) worst = std::max(worst, std::abs(places[n] - place(t + period)));
+    }
+    EXPECT_LE(worst, 0.01) << speed;
+    EXPECT_LE(burden(places), 1.001) << speed;
+  }
+}
+
+TEST(Follower, IsInStepWhereASpindleTurnsBack) {
+  // 10 turns of 1 mm a second, and back by 50 a second².
+  const auto place = [](double t) {
+    const double turning = std::clamp(t - 1, 0.0, 0.4);
+    return 10 * std::min(t, 1.0) + 10 * turning - 25 * turning * turning - 10 * std::max(0.0, t - 1.4);
+  };
+  const std::vector<double> places = followed(place, 2.5);
+  double worst = 0;
+  for (std::size_t n = 500; n < places.size(); ++n)
+    worst = std::max(worst, std::abs(places[n] - place(period * static_cast<double>(n + 1))));
+  EXPECT_LE(worst, 0.01);
+  EXPECT_LE(burden(places), 1.001);
+}
+
+TEST(Follower, IsInStepWithLongPeriodsToo) {
+  constexpr double cycle = 0.02;
+  const std::vector<double> places = followed([](double t) { return 10 * t; }, 4, cycle);
+  for (std::size_t n = 100; n < places.size(); ++n)
+    EXPECT_NEAR(places[n], 10 * cycle * static_cast<double>(n + 1), 0.01) << n;
 }
 
 TEST(Follower, TurnsBackWithTheSpindleAndGoesToWhereItBegan) {
