@@ -37,11 +37,12 @@ def motion(positions):
     return positions[moved[0] - 1 : max(moved[0], unsettled[-1] + 1 if unsettled else 0) + 1]
 
 
-def write_trace(record, trace):
+def write_trace(record, trace, letters=None):
+    """`letters`: of the columns, where there are others than LETTERS has."""
     with open(trace, "w", newline="") as file:
         rows = csv.writer(file)
         moving = motion(words(record))
-        rows.writerow(["t", *LETTERS[len(moving[0])]])
+        rows.writerow(["t", *(letters or LETTERS[len(moving[0])])])
         for i, word in enumerate(moving):
             rows.writerow([f"{i * PERIOD:.3f}", *(f"{q * 1e-6:.15g}" for q in word)])
 

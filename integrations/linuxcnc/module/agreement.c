@@ -2,7 +2,7 @@
  *
  * Pins of a kinematics module (points, offsets, the tool's length, directions) may be set wrong, or otherwise than a machine's file
  * has them. Then motion that is planned within the limits of its axes would be another's. So both are asked, whenever motion
- * begins, for pins can be changed at any time. */
+ * begins, for pins can be changed at any time: at one pose in each cycle, while its first moves are planned. */
 #include "agreement.h"
 
 #include <dlfcn.h>
@@ -15,6 +15,7 @@
 enum { poses = 20 };
 static const double most_difference = 1e-6; /* mm or degrees */
 
+static int compared; /* at so many poses */
 static int (*inverse)(const struct EmcPose*, double*, const KINEMATICS_INVERSE_FLAGS*, KINEMATICS_FORWARD_FLAGS*);
 
 void kinematics_find(void) {
@@ -53,17 +54,19 @@ static int agree_at(const double place[leadscrew_tp_axes], unsigned axes, double
   return 1;
 }
 
-int kinematics_agree(void) {
+void kinematics_doubt(void) {
+  compared = 0;
+}
+
+enum agreement kinematics_compare(void) {
   const unsigned axes = leadscrew_tp_machine_axes(leadscrew_state.planning);
-  if (axes == 0) return 1;
+  if (axes == 0 || compared == poses) return agreement_found;
   if (!inverse) {
     rtapi_print_msg(RTAPI_MSG_ERR, "leadscrew_tp: there is no kinematics module to compare the machine's file with\n");
-    return 0;
+    return agreement_broken;
   }
   double pose[leadscrew_tp_axes];
-  for (int n = 0; n < poses; ++n) {
-    pose_at(n, axes, pose);
-    if (!agree_at(pose, axes, leadscrew_state.limits.tool)) return 0;
-  }
-  return 1;
+  pose_at(compared, axes, pose);
+  if (!agree_at(pose, axes, leadscrew_state.limits.tool)) return agreement_broken;
+  return ++compared == poses ? agreement_found : agreement_unknown;
 }

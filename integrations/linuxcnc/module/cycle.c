@@ -3,6 +3,7 @@
  * What happens each servo period. */
 #include <math.h>
 
+#include "agreement.h"
 #include "pins.h"
 #include "rtapi.h"
 #include "state.h"
@@ -167,7 +168,8 @@ int tpRunCycle(TP_STRUCT* const tp, long period) {
   const int keeps_place =
       follows || (tp->aborting && entry_of(state->gate)->kind >= thread_move && state->gate > state->passed);
   if (!keeps_place) pose_of(word.position, &tp->currentPos);
-  if (word.has_failed && !state->has_failed) {
+  const enum agreement agreement = tp->aborting ? agreement_unknown : kinematics_compare();
+  if ((word.has_failed || agreement == agreement_broken) && !state->has_failed) {
     state->has_failed = 1;
     state->status->motionFlag |= EMCMOT_MOTION_ERROR_BIT;
     tpAbort(tp);
@@ -179,7 +181,8 @@ int tpRunCycle(TP_STRUCT* const tp, long period) {
   const uint32_t number = word.number > word.finished ? word.number : word.finished;
   begin(tp, number);
   report_motion(tp, &word);
-  if (word.gate > state->passed && !tp->aborting && stand_at_gate(tp, word.gate)) return TP_ERR_WAITING;
+  const int may_pass = !tp->aborting && agreement == agreement_found;
+  if (word.gate > state->passed && may_pass && stand_at_gate(tp, word.gate)) return TP_ERR_WAITING;
   if (word.finished == state->added && !tp->aborting && lock_indexer()) report_rest(tp);
   return TP_ERR_OK;
 }

@@ -213,7 +213,7 @@ static int add(TP_STRUCT* tp, struct leadscrew_tp_move* move, struct entry* entr
   if (tp->aborting) return state->has_failed ? TP_ERR_OK : TP_ERR_FAIL;
   if (state->has_failed || !(ini_maxvel > 0)) return TP_ERR_FAIL;
   if (tp->done && limits_changed()) set_down(tp);
-  if (tp->done && !kinematics_agree()) return TP_ERR_FAIL;
+  if (tp->done) kinematics_doubt();
   if (state->added - state->begun >= leadscrew_tp_moves) return TP_ERR_FAIL;
   if (entry->kind == free_move) synchronize(tp, entry);
   if (move->is_arc && entry->kind == thread_move) return TP_ERR_FAIL;

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""kinematics.py MODULE LEADSCREW: tool centre point control on a trunnion inside LinuxCNC (bench/peers/five-axes.ini, xyzac-trt-kins),
-planned within the limits of the joints, by machines/table-table-ac.toml; judged by leadscrew's referee. Pins that say otherwise than
-the file are found."""
+"""kinematics.py MODULE LEADSCREW: tool centre point control inside LinuxCNC on trunnions and a fork head (xyzac-trt-kins,
+xyzbc-trt-kins, 5axiskins; bench/peers/five-axes.ini), planned within the limits of the joints, by files of machines/; judged by
+leadscrew's referee. Pins that say otherwise than the file are found. With kinematics of other kinds (trivkins, corexykins,
+lineardeltakins) the limits of the world are kept. No period takes the servo thread long."""
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -16,8 +18,8 @@ sys.path.insert(0, str(simulator.SCREEN.parent))
 from record_to_trace import write_trace  # noqa: E402
 
 PEERS = simulator.SCREEN.parent
-MACHINE = simulator.HERE.parents[2] / "machines" / "table-table-ac.toml"
-PLANNER = f"leadscrew_tp jerk=60000 machine={MACHINE}"
+MACHINES = simulator.HERE.parents[2] / "machines"
+MACHINE = MACHINES / "table-table-ac.toml"
 HEAD = "G21 G90 G17 G94 G64 P0.01\n"
 PATH = ("G1 X20 Y10 Z5 A20 C30 F3000\nG1 X0 Y20 A-15 C80\nG1 X-20 Y5 Z0 A10 C10\nG2 X10 Y5 I15 J0\nG1 A-25 F2000\nG1 C200\n"
         "G0 X0 Y0 Z0 A0 C0\n")
@@ -58,11 +60,69 @@ def rests(places):
     return found
 
 
-def play(jobs, hal=lambda text: text):
-    ini = (PEERS / "five-axes.ini").read_text().replace("./record.py", "./play.py\nMAX_FEED_OVERRIDE = 1.5")
-    ini = ini.replace("[TRAJ]\n", f"[TRAJ]\nTPMOD = {PLANNER}\n").replace("five-axes.hal", "machine.hal")
+def play(jobs, hal=lambda text: text, ini=lambda text: text, machine=MACHINE):
+    text = (PEERS / "five-axes.ini").read_text().replace("./record.py", "./play.py\nMAX_FEED_OVERRIDE = 1.5")
+    text = text.replace("[TRAJ]\n", f"[TRAJ]\nTPMOD = leadscrew_tp jerk=60000 machine={machine}\n").replace("five-axes.hal", "machine.hal")
     listed = [{"name": name, **job} for name, job in jobs.items()]
-    return simulator.play(module, "", listed, ini_text=ini, hal_text=hal((PEERS / "five-axes.hal").read_text()))
+    return simulator.play(module, "", listed, ini_text=ini(text), hal_text=hal((PEERS / "five-axes.hal").read_text()))
+
+
+def replaced(text, changes):
+    for old, new in changes.items():
+        text = text.replace(old, new)
+    return text
+
+
+def without_trunnion(text):
+    """The machine without the pins of its kinematics."""
+    return "".join(line for line in text.splitlines(keepends=True) if "xyzac-trt-kins" not in line)
+
+
+# By their modules: the machine's file, what is changed of it, what of the trunnion's settings, and the pins. The tilt of 5axiskins
+# turns the other way.
+HEADS_AND_TABLES = {
+    "xyzbc-trt-kins": ("table-table-bc", {}, {"xyzac-trt-kins coordinates=xyzac": "xyzbc-trt-kins coordinates=xyzbc"},
+                       "".join(f"setp xyzbc-trt-kins.{pin}\n" for pin in ("x-rot-point 0", "y-rot-point 0", "z-rot-point 0", "x-offset 0",
+                                                                          "z-offset -60", "tool-offset 0"))),
+    "5axiskins": ("head-head-bc", {"[axis.B]\n": "[axis.B]\nsign = -1\n"}, {"xyzac-trt-kins coordinates=xyzac": "5axiskins", "JOINTS = 5": "JOINTS = 6",
+                                            "[JOINT_0]": "[AXIS_W]\nMAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\n\n[JOINT_5]\nTYPE = LINEAR\n"
+                                                         "MAX_VELOCITY = 100\nMAX_ACCELERATION = 1000\nHOME_SEQUENCE = 0\n\n[JOINT_0]"},
+                  "setp 5axiskins.pivot-length 180\nnet w joint.5.motor-pos-cmd => joint.5.motor-pos-fb\n"),
+}
+# By their modules, with mill3's limits: settings that differ, and of X, Y and Z by joints 0, 1 and 2.
+IN_THE_WORLD = {
+    "trivkins coordinates=XYZ": {},
+    "corexykins": {},
+    "lineardeltakins": {"HOME_SEQUENCE = 0": "HOME = 235.36\nHOME_OFFSET = 235.36\nHOME_SEQUENCE = 0"},
+}
+MILL = ("G1 X20 Y10 Z5 F3000\nG1 X0 Y20\nG2 X30 Y20 I15 J0\nG3 X30 Y20 Z-5 I-10 J0 P2\nG1 X31 Y21 F200\nG0 X0 Y0 Z0\n")
+
+
+def in_the_world(kinematics, changes):
+    """Of settings and HAL: axes' commands are taken down instead of joints'."""
+    ini = (simulator.HERE / "machine.ini").read_text().replace("@PLANNER@", "leadscrew_tp jerk=20000").replace("@HAL@", "machine.hal")
+    ini = replaced(ini, {"trivkins coordinates=XYZ": kinematics, **changes})
+    hal = (simulator.HERE / "machine.hal").read_text().replace("cfg=fff", "cfg=fffss")
+    for joint, axis in enumerate("xyz"):
+        hal = hal.replace(f"motor-pos-fb {axis}-nm.in", f"motor-pos-fb\nnet {axis}-axis axis.{axis}.pos-cmd => {axis}-nm.in")
+    hal += "net controller-time motion-controller.time => sampler.0.pin.3\nnet handler-time motion-command-handler.time => sampler.0.pin.4\n"
+    return ini, hal
+
+
+def with_times(text):
+    """The trunnion's HAL with what both functions of motmod take, in clocks, as two columns more."""
+    return (text.replace("cfg=fffff", "cfg=fffffss") + "net controller-time motion-controller.time => sampler.0.pin.5\n"
+            "net handler-time motion-command-handler.time => sampler.0.pin.6\n")
+
+
+def clocks_of(record, first):
+    """Of both functions together, of each period."""
+    rows = [line.split()[1 + first:] for line in record.splitlines() if line.strip() != "overrun"]
+    return sorted(int(controller) + int(handler) for controller, handler in rows)
+
+
+def told_clocks(clocks):
+    return "clocks: median {}, 99.9 % {}, greatest {}".format(*(clocks[min(len(clocks) - 1, int(share * len(clocks)))] for share in (0.5, 0.999, 1)))
 
 
 def worst_of(places, order, limits):
@@ -77,14 +137,14 @@ def worst_of(places, order, limits):
 
 
 class OnATrunnion(unittest.TestCase):
-    def judge(self, text, program):
+    def judge(self, text, program, machine=MACHINE, letters=None):
         """Of the record, by the referee: within the limits of each joint, and the tip within P."""
         with tempfile.TemporaryDirectory() as folder:
             folder = pathlib.Path(folder)
             (folder / "record").write_text(text)
             (folder / "program.ngc").write_text(program)
-            write_trace(folder / "record", folder / "trace.csv")
-            verify = subprocess.run([leadscrew, "verify", "--json", "--machine", MACHINE, folder / "trace.csv", folder / "program.ngc"],
+            write_trace(folder / "record", folder / "trace.csv", letters)
+            verify = subprocess.run([leadscrew, "verify", "--json", "--machine", machine, folder / "trace.csv", folder / "program.ngc"],
                                     capture_output=True, text=True)
         self.assertIn(verify.returncode, (0, 1), verify.stderr)
         found = json.loads(verify.stdout)
@@ -102,6 +162,39 @@ class OnATrunnion(unittest.TestCase):
                 for value in end["position"]:
                     self.assertAlmostEqual(value, 0, places=9)
                 self.judge(record, "G43.4\n" + JOBS[name]["program"])
+
+    def test_heads_and_other_tables(self):
+        program = (HEAD + PATH).replace("A", "B") + "M2\n"
+        for kinematics, (name, of_file, of_settings, pins) in HEADS_AND_TABLES.items():
+            def settings(text):
+                text = replaced(text, of_settings).replace("AXIS_A", "AXIS_B")
+                return text.replace("Y Z A C", "Y Z B C" + " W" * ("AXIS_W" in text))
+            with self.subTest(kinematics), tempfile.TemporaryDirectory(dir="/var/tmp") as folder:
+                os.chmod(folder, 0o755)
+                machine = pathlib.Path(folder) / "machine.toml"
+                machine.write_text(replaced((MACHINES / f"{name}.toml").read_text(), of_file))
+                results, log = play({"path": {"program": program}}, lambda text: with_times(without_trunnion(text) + pins), settings, machine)
+                record, said, _ = results["path"]
+                self.assertEqual(said, "", log[-2000:])
+                print(kinematics, told_clocks(clocks_of(record, 5)))
+                joints = "\n".join(line if line == "overrun" else " ".join(line.split()[:6]) for line in record.splitlines())
+                self.judge(joints, "G43.4\n" + program, machine, "XYZBC")
+
+    def test_kinematics_of_other_kinds_keep_the_limits_of_the_world(self):
+        program = "G21 G90 G17 G94 G64 P0.01\n" + MILL + "M2\n"
+        for kinematics, changes in IN_THE_WORLD.items():
+            with self.subTest(kinematics):
+                ini, hal = in_the_world(kinematics, changes)
+                results, log = simulator.play(module, "", [{"name": "mill", "program": program}], ini_text=ini, hal_text=hal)
+                record, said, end = results["mill"]
+                self.assertEqual(said, "", log[-2000:])
+                places = [[float(value) * 1e-6 for value in line.split()[1:4]] for line in record.splitlines() if line.strip() != "overrun"]
+                for order, limit in ((1, 200), (2, 1000), (3, 20000)):
+                    self.assertLessEqual(worst_of(places, order, [limit] * 3), 1.001, f"order {order}")
+                for value in end["position"][:3]:
+                    self.assertAlmostEqual(value, 0, places=6)
+                self.assertGreater(max(place[0] for place in places), 30)
+                print(kinematics, told_clocks(clocks_of(record, 3)))
 
     def test_threads_and_taps_are_in_step_within_the_limits_of_joints(self):
         jobs = {name: {"program": THREAD.format(far=thread["top"] + 5, **thread)} for name, thread in THREADS.items()}

@@ -247,7 +247,8 @@ def main(module, count, seed, *chosen):
     with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
         for found, told in pool.map(lambda share: play(module, share, seed), shares):
             complaints |= found
-            print("\n".join([*found.values(), told]).strip(), end="", flush=True)
+            for text in filter(None, [*found.values(), told]):
+                print(text, flush=True)
     print(f"{len(numbers) - len(complaints)} of {len(numbers)} as they should be, seed {seed}")
     sys.exit(bool(complaints))
 
