@@ -36,6 +36,29 @@ TEST(Probing, EndsMotionAtThePlane) {
   EXPECT_EQ(leadscrew(folder, {"verify", "a.csv", "a.ngc", "--machine", "m.toml", "--quiet"}).status, 0);
 }
 
+/// Around a ball in G31 and G38.2, and into a bore: verify reads the places that the run has found.
+TEST(Probing, FindsBodiesAsTheVerifierDoes) {
+  const Folder folder;
+  std::string machine =
+      "[probe]\nsphere_mm = [[20, 10, -20, 13]]\nbox_mm = [[-50, -50, -60, -10, 50, -5]]\n"
+      "bore_mm = [[-30, 0, -30, -30, 0, 0, 9]]\n";
+  const std::string z = probing_machine.substr(probing_machine.find("[axis.Z]"));
+  for (const char axis : {'X', 'Y', 'Z'}) machine += std::string(z).replace(z.find('Z'), 1, 1, axis);
+  folder.write("m.toml", machine);
+  folder.write(
+      "a.ngc",
+      "G21 G61 F600\nG0 X40 Y15 Z-20\nG31 X20\n#1=#5061\nG1 X40\nG0 Z5\nX20 Y10\nG38.2 Z-30\n(PRINT,%.4f#1 #5063)\n"
+      "G0 Z5\nX-33 Y0\nG1 Z-12\nG38.3 X-60\n#2=#5061\nG38.5 X-25\nG38.3 X0\n(PRINT,%.4f#2 #5061)\nG0 Z5\nM2\n");
+  const auto ran = leadscrew(folder, {"run", "a.ngc", "--machine", "m.toml", "--json", "--trace", "a.csv"});
+  ASSERT_EQ(ran.status, 0) << ran.errors;
+  EXPECT_EQ(ran.errors, "32.0000 -7.0000\n-39.0000 -21.0000\n");
+  const auto judged = leadscrew(folder, {"verify", "a.csv", "a.ngc", "--machine", "m.toml", "--json"});
+  EXPECT_EQ(judged.status, 0) << judged.errors;
+  EXPECT_LT(nlohmann::json::parse(judged.output)["deviation_mm"].get<double>(), 1e-9);
+  folder.write("n.toml", std::string(machine).replace(machine.find("13]"), 2, "12"));
+  EXPECT_EQ(leadscrew(folder, {"verify", "a.csv", "a.ngc", "--machine", "n.toml", "--quiet"}).status, 1);
+}
+
 TEST(Probing, RestsBeforeAndBehind) {
   const Folder folder;
   folder.write("m.toml", probing_machine);

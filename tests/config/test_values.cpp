@@ -123,6 +123,41 @@ TEST(Probe, HasPlanesOfLinearAxes) {
   EXPECT_EQ(read->probe, expected);
 }
 
+TEST(Probe, HasBodies) {
+  using Kind = machine::ProbeBody::Kind;
+  const auto read =
+      read_machine(one_axis +
+                       "[probe]\nbox_mm = [[0, 1, -20, 60, 40, 0.5]]\nsphere_mm = [[1, 2, 3, 4], [5, 6, 7, 8]]\n"
+                       "bore_mm = [[1, 2, 3, 4, 5, 6, 7]]\npocket_mm = []\n",
+                   "m");
+  ASSERT_TRUE(read);
+  machine::Probe expected;
+  expected.bodies = {{Kind::box, {0, 1, -20}, {60, 40, 0.5}, 0},
+                     {Kind::sphere, {1, 2, 3}, {}, 4},
+                     {Kind::sphere, {5, 6, 7}, {}, 8},
+                     {Kind::bore, {1, 2, 3}, {4, 5, 6}, 7}};
+  EXPECT_EQ(read->probe, expected);
+}
+
+TEST(Probe, IsRefusedWhereABodyIsNone) {
+  const struct {
+    const char* text;
+    Texts problems;
+  } rows[] = {{"box_mm = 5", {"8:10 machine-type"}},
+              {"box_mm = [5]", {"8:11 machine-type"}},
+              {"box_mm = [[0, 0, 0, 1, 1]]", {"8:11 machine-type"}},
+              {"box_mm = [[0, 0, 0, 1, 1, 1], [0, 0, 0, 1, 0, 1]]", {"8:31 machine-probe"}},
+              {"pocket_mm = [[0, 0, 0, 1, 1, -1]]", {"8:14 machine-probe"}},
+              {"sphere_mm = [[0, 0, 0, 0]]", {"8:14 machine-probe"}},
+              {"sphere_mm = [[0, 0, nan, 1]]", {"8:14 machine-probe"}},
+              {"sphere_mm = [[0, 0, 0, \"1\"]]", {"8:14 machine-type"}},
+              {"sphere_mm = [[0, 0, 0], [0, 0, 0, -1]]", {"8:14 machine-type", "8:25 machine-probe"}},
+              {"cylinder_mm = [[0, 0, 0, 0, 0, 0, 1]]", {"8:16 machine-probe"}},
+              {"bore_mm = [[0, 0, 0, 0, 0, 1, inf]]", {"8:12 machine-probe"}}};
+  for (const auto& row : rows)
+    EXPECT_EQ(problems_of(one_axis + "[probe]\n" + row.text + "\n"), row.problems) << row.text;
+}
+
 TEST(Probe, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(problems_of("probe = 5\n" + one_axis), Texts{"1:9 machine-type"});
   EXPECT_EQ(problems_of(one_axis + "[probe]\nplane = 5\n"), Texts{"8:1 machine-key"});

@@ -1,6 +1,8 @@
 // A probe of the host's own ends probing moves: motion comes to rest within limits, and the program goes on from there.
 
 #include <cmath>
+#include <cstdio>
+#include <random>
 #include <string>
 
 #include "paths.hpp"
@@ -43,6 +45,14 @@ struct Probing {
   double z_at_end() const { return words.back().position[z_axis]; }
 };
 
+/// Of all the motion there is.
+base::Word last_word(host::Motion& motion) {
+  base::Word word;
+  while (motion.next({&word, 1}) == 1) {
+  }
+  return word;
+}
+
 TEST(HostProbe, EndsAMoveBehindContact) {
   Probing probing("G21 F3000\nG0 Z-2\nG38.2 Z-40\nG1 X10 Z#5063 F1000\nM2\n");
   probing.run(-7.3);
@@ -64,6 +74,67 @@ TEST(HostProbe, EndsAMoveBehindContact) {
   // The program goes on to the place of contact.
   EXPECT_DOUBLE_EQ(probing.z_at_end(), contact);
   EXPECT_DOUBLE_EQ(probing.words.back().position[0], 10);
+}
+
+/// A ball that the host feels from random sides, and the simulated one of the same place and size: where the line meets it
+/// by the quadratic formula, the simulated probe trips; the other within a period's travel behind; motion rests past it by no
+/// more than a slice and a stop.
+TEST(HostProbe, FeelsABallFromRandomSides) {
+  std::mt19937_64 random(5);
+  const auto any = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  for (int k = 0; k < 40; ++k) {
+    const machine::Vector centre = {any(-50, 50), any(-50, 50), any(-50, 50)};
+    const double radius = any(3, 20), feed = any(5, 60);  // mm/s
+    machine::Vector start, aim, way;
+    double a = 0, b = 0, c = -radius * radius, side = 0;
+    for (std::size_t i = 0; i < 3; ++i) side += std::pow(start[i] = any(-1, 1), 2);
+    for (std::size_t i = 0; i < 3; ++i) {
+      start[i] = centre[i] + start[i] / std::sqrt(side) * (radius + 15);
+      aim[i] = centre[i] + any(-0.4, 0.4) * radius;
+      way[i] = 2 * (aim[i] - start[i]);
+      a += way[i] * way[i];
+      b += way[i] * (start[i] - centre[i]);
+      c += (start[i] - centre[i]) * (start[i] - centre[i]);
+    }
+    const double share = (-b - std::sqrt(b * b - a * c)) / a;
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "G21 G61 F%.17g\nG0 X%.17g Y%.17g Z%.17g\nG38.2 X%.17g Y%.17g Z%.17g\n#1=#5061\n#2=#5062\nM2\n",
+                  feed * 60, start[0], start[1], start[2], start[0] + way[0], start[1] + way[1], start[2] + way[2]);
+    machine::Machine machine = machine::mill3();
+    machine.probe = machine::Probe{.bodies = {{machine::ProbeBody::Kind::sphere, centre, {}, radius}}};
+    const auto simulated = host::Motion::of_program(machine, std::string(text));
+    ASSERT_TRUE(simulated) << simulated.error().message;
+    const base::Word last = last_word(**simulated);
+    Probing real(text);
+    base::Word word;
+    std::optional<base::AxisVector> felt;
+    double before = 0, step = 0;
+    const auto travel = [&](const base::AxisVector& p) {
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += (p[i] - start[i]) * (p[i] - start[i]);
+      return std::sqrt(square);
+    };
+    while (real.motion->next({&word, 1}) == 1) {
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += std::pow(word.position[i] - centre[i], 2);
+      if (!felt && square <= radius * radius && real.motion->probing() == Search::contact) {
+        felt = word.position;
+        step = travel(word.position) - before;
+        EXPECT_TRUE(real.motion->probe_found());
+      }
+      before = travel(word.position);
+    }
+    EXPECT_FALSE(real.motion->failure());
+    ASSERT_TRUE(felt) << text;
+    const double met = share * std::sqrt(a);
+    EXPECT_NEAR(travel(last.position), met, 1e-9) << text;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(last.position[i], start[i] + share * way[i], 1e-9) << text;
+    EXPECT_GE(travel(*felt), met - 1e-9) << text;
+    EXPECT_LE(travel(*felt), met + step + 1e-9) << text;
+    EXPECT_GT(travel(word.position), travel(*felt));
+    EXPECT_LE(travel(word.position), travel(*felt) + feed * 0.06 + feed * feed / 2000 + feed * 1000 / 40000) << text;
+  }
 }
 
 TEST(HostProbe, IsAskedOnlyAlongItsMove) {

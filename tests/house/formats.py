@@ -528,7 +528,9 @@ EXAMPLES = {
     "pitch_errors_mm": "[[-500, 0.02], [500, 0]]", "pitch_errors_backward_mm": "[[-500, 0.02], [500, 0]]",
     "backlash_takeup_mm_s": "20", "position_gain_per_s": "40", "velocity_gain_per_s": "200",
     "proportional_per_mm": "1.25", "command_limit": "24", "breakaway_mm_s2": "1",
-    "encoder_counts_per_mm": "1000", "plane_mm": "{}"}
+    "encoder_counts_per_mm": "1000", "plane_mm": "{}",
+    "box_mm": "[[0, 0, -20, 60, 40, 0]]", "pocket_mm": "[[10, 10, -5, 30, 30, 1]]", "sphere_mm": "[[0, 0, -20, 12]]",
+    "cylinder_mm": "[[0, 0, -20, 0, 0, 0, 12]]", "bore_mm": "[[50, 20, -10, 50, 20, 1, 5]]"}
 
 
 def machine_text(rows, without=None, rotary=False):

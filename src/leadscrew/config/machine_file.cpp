@@ -9,6 +9,7 @@
 #include <leadscrew/config/file_text.hpp>
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/config/machine_keys.hpp>
+#include <leadscrew/config/probe_keys.hpp>
 #include <leadscrew/config/rotary_keys.hpp>
 #include <leadscrew/config/toml_values.hpp>
 #include <map>
@@ -150,17 +151,21 @@ class MachineReader {
 
   void read_chain(const toml::table& root) {
     section(root, geometry_key, geometry_key, geometry_keys);
-    const RotaryTold told{[this](auto code, Position at, std::string message, std::string hint) {
-                            report(code, at, std::move(message), std::move(hint));
-                          },
-                          [this](const base::Subject& subject, Position at) { positions_[slot_of(subject)] = at; }};
-    machine_.rotary_chain = read_rotary_chain(root, machine_.kinematics, told);
+    machine_.rotary_chain = read_rotary_chain(root, machine_.kinematics, told());
+  }
+
+  /// For parts of the file that are read elsewhere.
+  KeysTold told() {
+    return {[this](auto code, Position at, std::string message, std::string hint) {
+              report(code, at, std::move(message), std::move(hint));
+            },
+            [this](const base::Subject& subject, Position at) { positions_[slot_of(subject)] = at; }};
   }
 
   void read_probe(const toml::table& root) {
-    const toml::table* table = section(root, "probe", "probe", std::array{probe_planes_key});
+    const toml::table* table = section(root, "probe", "probe", probe_keys);
     if (table == nullptr) return;
-    machine::Probe& probe = machine_.probe.emplace();
+    machine::Probe& probe = machine_.probe.emplace(machine::Probe{.bodies = read_probe_bodies(*table, told())});
     const toml::table* planes = section(*table, probe_planes_key, "probe.plane_mm", linear_axis_names);
     if (planes == nullptr) return;
     for (const std::string_view name : linear_axis_names) {
@@ -368,7 +373,8 @@ class MachineReader {
       if (problem.code == "machine-axes" && has_axis_) continue;
       const auto found = positions_.find(slot_of(problem.subject));
       // Of an entry that is none it has been said too.
-      if (problem.code == "pitch-value" && found == positions_.end()) continue;
+      const bool may_be_none = problem.code == "pitch-value" || problem.code == "machine-probe";
+      if (may_be_none && found == positions_.end()) continue;
       if (problem.code == "machine-kinematics") explain_kinematics(problem, machine_.kinematics);
       const Position position = found == positions_.end() ? Position{} : found->second;
       add(position, std::move(problem));

@@ -28,7 +28,7 @@ std::optional<machine::Vector> triple_of(const toml::node& node) {
 /// Reads single values over those of a preset.
 class ChainReader {
  public:
-  explicit ChainReader(const RotaryTold& told) : told_(told) {}
+  explicit ChainReader(const KeysTold& told) : told_(told) {}
 
   void take(const toml::table& table, std::string_view key, const Subject& subject, machine::Vector& value) {
     const toml::node* node = find(table, key, subject);
@@ -95,7 +95,7 @@ class ChainReader {
                   std::move(hint));
   }
 
-  const RotaryTold& told_;
+  const KeysTold& told_;
 };
 
 const toml::table* axis_table(const toml::table& root, base::Axis axis) {
@@ -107,7 +107,7 @@ const toml::table* axis_table(const toml::table& root, base::Axis axis) {
 
 /// Keys that stand where no chain of rotary axes could take them.
 void report_useless(const toml::table& table, std::span<const std::string_view> keys, const std::string& why,
-                    const RotaryTold& told) {
+                    const KeysTold& told) {
   for (const std::string_view key : keys) {
     const toml::node* node = table.get(key);
     if (node == nullptr) continue;
@@ -128,7 +128,7 @@ void read_chain_axis(const toml::table& table, machine::RotaryAxis& axis, ChainR
 }  // namespace
 
 std::optional<machine::RotaryChain> read_rotary_chain(const toml::table& root, std::string_view kinematics,
-                                                      const RotaryTold& told) {
+                                                      const KeysTold& told) {
   std::optional<machine::RotaryChain> chain = machine::preset_chain(kinematics);
   if (!chain && kinematics != machine::cartesian) return chain;  // which has been told
   const std::string why = fmt::format("with {} kinematics", kinematics);

@@ -1,6 +1,6 @@
 #pragma once
-// Values of TOML as machine files need them: what a node is, and what is wrong with it. For machine_file.cpp and
-// rotary_keys.cpp, which with it are all that includes toml++.
+// Values of TOML as machine files need them: what a node is, and what is wrong with it. For machine_file.cpp, and
+// the parts of it that read keys of one kind; with it they are all that includes toml++.
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <leadscrew/gcode/probe_contact.hpp>
 #include <leadscrew/gcode/probing.hpp>
 #include <utility>
 
@@ -11,7 +12,6 @@ namespace {
 constexpr int contact_number = 5061;  // first of nine: axes X Y Z A B C U V W
 constexpr int found_number = 5070;
 constexpr int mach3_contact_number = 2000;  // first of nine
-constexpr double contact_rounding = 1e-9;   // mm: a plane of a tool with an offset is rounded
 
 // As the log of probed points has them (LinuxCNC manual, "Probe Logging").
 std::string text_of_point(const base::AxisVector& point) {
@@ -84,61 +84,17 @@ void Probing::check_state(bool is_there) {
         search_.contact ? "lift it off first, with G38.4 or G0" : "G38.2 to contact first");
 }
 
-// How far the controlled point is above the axis' plane, mm.
-double Probing::gap(std::size_t axis, const base::AxisVector& position) const {
-  return position[axis] - frame_.tool()[axis] - *machine_.probe->planes[axis];
-}
-
-bool Probing::touches(std::size_t axis) const {
-  return machine_.probe->planes[axis] && gap(axis, frame_.position) <= contact_rounding;
-}
-
 bool Probing::is_in_contact() const {
-  if (released_ == frame_.position) return false;
-  for (std::size_t axis = 0; axis < base::axis_count; ++axis) {
-    if (touches(axis)) return true;
-  }
-  return false;
-}
-
-// The share of the line to the target, 0 … 1, at which contact begins or ends, and by which axis. An axis is at or below
-// its plane from, or up to, one place of the line; contact is where any is.
-std::optional<double> Probing::share_of_change(const base::AxisVector& target, std::size_t& axis) const {
-  double first_entry = 2, last_exit = -1;
-  std::size_t entry_axis = 0, exit_axis = 0;
-  for (std::size_t i = 0; i < base::axis_count; ++i) {
-    if (!machine_.probe->planes[i]) continue;
-    const double before = gap(i, frame_.position), behind = gap(i, target);
-    const bool begins_below = touches(i) && released_ != frame_.position;
-    if (begins_below && !(behind > contact_rounding)) return std::nullopt;  // in contact all along
-    if (!begins_below && behind > contact_rounding) continue;
-    const bool crosses = before > contact_rounding || begins_below;
-    const double share = crosses ? std::clamp(before / (before - behind), 0.0, 1.0) : 0;
-    if (begins_below && share > last_exit) {
-      last_exit = share;
-      exit_axis = i;
-    } else if (!begins_below && share < first_entry) {
-      first_entry = share;
-      entry_axis = i;
-    }
-  }
-  const bool looks_for_contact = search_.contact;
-  axis = looks_for_contact ? entry_axis : exit_axis;
-  const double share = looks_for_contact ? first_entry : last_exit;
-  if (looks_for_contact) return share <= 1 ? std::optional(share) : std::nullopt;
-  return share >= 0 && share < first_entry ? std::optional(share) : std::nullopt;
+  return released_ != frame_.position && ProbeContact(*machine_.probe, frame_.tool()).touches(frame_.position);
 }
 
 Probed Probing::simulated(const base::AxisVector& target) {
-  if (is_in_contact() == search_.contact) return {true, true, frame_.position, frame_.position};
-  std::size_t axis = 0;
-  const std::optional<double> share = share_of_change(target, axis);
-  if (!share) return {false, false, target, target};
-  base::AxisVector place;
-  for (std::size_t i = 0; i < base::axis_count; ++i)
-    place[i] = frame_.position[i] + *share * (target[i] - frame_.position[i]);
-  place[axis] = *machine_.probe->planes[axis] + frame_.tool()[axis];
-  return {true, false, place, place};
+  const base::AxisVector& start = frame_.position;
+  if (is_in_contact() == search_.contact) return {true, true, start, start};
+  const ProbeContact probe(*machine_.probe, frame_.tool());
+  const std::optional<base::AxisVector> place =
+      search_.contact ? probe.contact(start, target) : probe.loss(start, target);
+  return place ? Probed{true, false, *place, *place} : Probed{false, false, target, target};
 }
 
 void Probing::move_to(const base::AxisVector& target, const Probed& result, Feed feed) {

@@ -10,7 +10,7 @@
 //     #5070           1 where it was found, else 0
 //     #2000 … #2008   in Mach3 as #5061 … #5069
 //
-// The simulated probe (machine::Probe) is ideal: motion ends exactly where its state changes. There, on a plane, it is in
+// The simulated probe (machine::Probe) is ideal: motion ends exactly where its state changes. There, on a face, it is in
 // the state that the move before was to reach, so that from contact the next move away ends where it begins. Where the
 // machine simulates none, contact is taken for granted at the point programmed.
 
@@ -50,10 +50,7 @@ class Probing : Part {
   bool allows(const base::AxisVector& target, const Search& search);
   void check_state(bool is_there);
   Probed simulated(const base::AxisVector& target);
-  std::optional<double> share_of_change(const base::AxisVector& target, std::size_t& axis) const;
   bool is_in_contact() const;
-  bool touches(std::size_t axis) const;
-  double gap(std::size_t axis, const base::AxisVector& position) const;
   void move_to(const base::AxisVector& target, const Probed& result, Feed feed);
   void settle(const Probed& result);
   void log(const Probed& result) const;

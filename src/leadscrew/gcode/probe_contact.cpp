@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <leadscrew/gcode/probe_contact.hpp>
+#include <leadscrew/numeric/vectors.hpp>
+#include <limits>
+
+namespace leadscrew::gcode {
+
+namespace {
+
+using machine::ProbeBody;
+using machine::Vector;
+using BodyKind = ProbeBody::Kind;
+
+constexpr double shortest_stretch = 4 * contact_rounding;  // mm of a line
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Vector first_three(const base::AxisVector& a) {
+  return {a[0], a[1], a[2]};
+}
+
+bool is_box(BodyKind kind) {
+  return kind == BodyKind::box || kind == BodyKind::pocket;
+}
+
+/// How far a point is outside the body, mm: no more than it is, below 0 inside.
+double outside(const ProbeBody& body, const Vector& point) {
+  const Vector from = numeric::difference(point, body.from);
+  if (body.kind == BodyKind::sphere) return numeric::norm(from) - body.radius;
+  if (is_box(body.kind)) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 3; ++i) most = std::max({most, body.from[i] - point[i], point[i] - body.to[i]});
+    return most;
+  }
+  const Vector axis = numeric::difference(body.to, body.from);
+  const double height = numeric::norm(axis), along = numeric::dot(from, axis) / height;
+  return std::max({numeric::norm(cross(from, axis)) / height - body.radius, -along, along - height});
+}
+
+/// The shares t at which |m + t d| = radius, of vectors across an axis, or of any.
+void cross_round(const Vector& m, const Vector& d, double radius, const auto& add) {
+  const double a = numeric::dot(d, d), b = numeric::dot(m, d);
+  const Vector normal = cross(d, m);
+  const double square = a * radius * radius - numeric::dot(normal, normal);  // a quarter of the discriminant
+  if (!(a > 0 && square > 0)) return;
+  const double q = -(b + std::copysign(std::sqrt(square), b));
+  const double reach = numeric::norm(m);
+  add(q / a);
+  add((reach - radius) * (reach + radius) / q);
+}
+
+}  // namespace
+
+double ProbeContact::gap(const base::AxisVector& position) const {
+  double material = std::numeric_limits<double>::infinity(), cut = -material;
+  for (std::size_t i = 0; i < base::axis_count; ++i) {
+    if (probe_.planes[i]) material = std::min(material, position[i] - tool_[i] - *probe_.planes[i]);
+  }
+  base::AxisVector point = position;
+  for (std::size_t i = 0; i < 3; ++i) point[i] -= tool_[i];
+  for (const ProbeBody& body : probe_.bodies) {
+    const double distance = outside(body, first_three(point));
+    if (machine::is_hollow(body.kind)) {
+      cut = std::max(cut, -distance);
+    } else {
+      material = std::min(material, distance);
+    }
+  }
+  return std::max(material, cut);
+}
+
+void ProbeContact::cross_plane(const Line& line, std::size_t axis, double plane, std::vector<Crossing>& found) const {
+  const double before = line.start[axis] - tool_[axis] - plane, behind = line.target[axis] - tool_[axis] - plane;
+  if (before != behind) found.push_back({before / (before - behind), axis, plane});
+}
+
+void ProbeContact::cross_body(const Line& line, const ProbeBody& body, std::vector<Crossing>& found) const {
+  if (is_box(body.kind)) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      cross_plane(line, i, body.from[i], found);
+      cross_plane(line, i, body.to[i], found);
+    }
+    return;
+  }
+  const auto add = [&](double share) { found.push_back({share}); };
+  const Vector way = numeric::difference(first_three(line.target), first_three(line.start));
+  const Vector start = numeric::difference(numeric::difference(first_three(line.start), first_three(tool_)), body.from);
+  if (body.kind == BodyKind::sphere) return cross_round(start, way, body.radius, add);
+  const Vector axis = numeric::difference(body.to, body.from);
+  const double square = numeric::dot(axis, axis), speed = numeric::dot(way, axis), height = numeric::dot(start, axis);
+  const auto across = [&](const Vector& v, double along) { return numeric::sum(v, -along / square, axis); };
+  cross_round(across(start, height), across(way, speed), body.radius, add);
+  // The ends: where the axis of the cylinder is one of the machine's, exactly.
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (axis[(i + 1) % 3] != 0 || axis[(i + 2) % 3] != 0) continue;
+    cross_plane(line, i, body.from[i], found);
+    return cross_plane(line, i, body.to[i], found);
+  }
+  if (speed == 0) return;
+  add(-height / speed);
+  add((square - height) / speed);
+}
+
+// Within the line, in order, from its start.
+std::vector<ProbeContact::Crossing> ProbeContact::crossings(const Line& line) const {
+  std::vector<Crossing> found;
+  for (std::size_t i = 0; i < base::axis_count; ++i) {
+    if (probe_.planes[i]) cross_plane(line, i, *probe_.planes[i], found);
+  }
+  for (const ProbeBody& body : probe_.bodies) cross_body(line, body, found);
+  std::erase_if(found, [](const Crossing& crossing) { return !(crossing.share > 0 && crossing.share < 1); });
+  std::ranges::stable_sort(found, {}, &Crossing::share);
+  found.insert(found.begin(), Crossing{0});
+  return found;
+}
+
+base::AxisVector ProbeContact::at(const Line& line, double share) const {
+  return numeric::sum(line.start, share, numeric::difference(line.target, line.start));
+}
+
+std::optional<base::AxisVector> ProbeContact::change(const Line& line, bool to_contact) const {
+  double longest = 0;  // way of an axis
+  for (std::size_t i = 0; i < base::axis_count; ++i)
+    longest = std::max(longest, std::abs(line.target[i] - line.start[i]));
+  const std::vector<Crossing> found = crossings(line);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const double begin = found[k].share, end = k + 1 < found.size() ? found[k + 1].share : 1;
+    if ((end - begin) * longest < shortest_stretch) continue;
+    // Of two places: a line that passes a sphere within rounding may touch it at one.
+    const bool is_inside =
+        touches(at(line, begin + 0.25 * (end - begin))) && touches(at(line, begin + 0.75 * (end - begin)));
+    if (is_inside != to_contact) continue;
+    base::AxisVector place = begin > 0 ? at(line, begin) : line.start;
+    const std::size_t axis = found[k].axis;
+    if (axis < base::axis_count) place[axis] = found[k].coordinate + tool_[axis];
+    return place;
+  }
+  return std::nullopt;
+}
+
+std::optional<base::AxisVector> ProbeContact::contact(const base::AxisVector& start,
+                                                      const base::AxisVector& target) const {
+  if (const auto place = change({start, target}, true)) return place;
+  return touches(target) && target != start ? std::optional(target) : std::nullopt;
+}
+
+std::optional<base::AxisVector> ProbeContact::loss(const base::AxisVector& start,
+                                                   const base::AxisVector& target) const {
+  return change({start, target}, false);
+}
+
+}  // namespace leadscrew::gcode
