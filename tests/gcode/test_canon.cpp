@@ -204,5 +204,14 @@ TEST(Canon, SurfaceSpeedStaysAsWritten) {
             "PROGRAM_END()\n");
 }
 
+/// A move that compensation keeps back comes before an S that the program has behind it.
+TEST(Canon, SurfaceSpeedComesInItsTurnBesideAContour) {
+  const std::string text = calls("G21 G61 F600\nG96 S99 M3\nG42.1 D1\nG1 X10 Y8\nS100\nX30\nG40\nM2\n");
+  const std::size_t line = text.find("STRAIGHT_FEED("), speed = text.find("SET_SPINDLE_SPEED(0, 100.0000)");
+  ASSERT_NE(speed, std::string::npos) << text;
+  EXPECT_LT(line, speed) << text;
+  EXPECT_LT(speed, text.find("STRAIGHT_FEED(", line + 1)) << text;
+}
+
 }  // namespace test_canon
 }  // namespace leadscrew::gcode

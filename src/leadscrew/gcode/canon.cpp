@@ -353,8 +353,9 @@ void CanonWriter::write_straight(const Move& move, const Frame& frame, std::stri
 void CanonWriter::write(const Move& move, const Frame& frame, int system, const ModalState& modal, std::string& text) {
   if ((printed_.in_step || move.kind == Move::Kind::event) && write_in_step(move, frame, system, text)) return;
   if (modal.constant_surface_speed || printed_.surface_speed) {
-    write_spindle_mode(modal, text);
     const bool is_speed = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_speed;
+    // Moves that cutter compensation keeps back are told when the program has been read beyond: S as its event comes.
+    write_spindle_mode(modal, is_speed || modal.cutter_side == Code::G40, text);
     if (is_speed && modal.constant_surface_speed) return;
   }
   if (move.kind == Move::Kind::event) return write_event(move.event, text);

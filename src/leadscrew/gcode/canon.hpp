@@ -56,7 +56,7 @@ class CanonWriter {
   void write_path(const Move& move, std::string& text);
   void write_feed(const Move& move, std::string& text);
   void write_feed_mode(bool per_revolution, std::string& text);
-  void write_spindle_mode(const ModalState& modal, std::string& text);
+  void write_spindle_mode(const ModalState& modal, bool may_tell_speed, std::string& text);
   void write_arc(const Move& move, const Frame& frame, std::string& text);
   void write_event(const base::Event& event, std::string& text);
   void write_function(const base::Event& event, std::string& text);

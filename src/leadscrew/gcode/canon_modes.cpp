@@ -12,7 +12,7 @@ void CanonWriter::write_feed_mode(bool per_revolution, std::string& text) {
 }
 
 // The speed of G96 is printed where S or D says another: the revolutions that follow from it are no calls.
-void CanonWriter::write_spindle_mode(const ModalState& modal, std::string& text) {
+void CanonWriter::write_spindle_mode(const ModalState& modal, bool may_tell_speed, std::string& text) {
   constexpr double no_limit = 1e30;  // as rs274 prints it
   const bool was_on = printed_.surface_speed;
   printed_.surface_speed = modal.constant_surface_speed;
@@ -26,7 +26,8 @@ void CanonWriter::write_spindle_mode(const ModalState& modal, std::string& text)
     number(most, text);
     text += ")\n";
   }
-  if (!printed_.surface_speed || modal.surface_speed_word == printed_.surface_speed_word) return;
+  const bool is_told = modal.surface_speed_word == printed_.surface_speed_word;
+  if (!printed_.surface_speed || is_told || !may_tell_speed) return;
   printed_.surface_speed_word = modal.surface_speed_word;
   call("SET_SPINDLE_SPEED(0, ", text);
   number(modal.surface_speed_word, text);
