@@ -1,10 +1,9 @@
-// The command on time: its words, and what becomes of them when it is stopped, killed and taken up again.
+// The command on time: its words, and what becomes of them when it is stopped and taken up again.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "driven.hpp"
 
@@ -68,101 +67,6 @@ TEST(Drive, StopsAtOnceAtTheSecondSignal) {
   const auto axes = rows_of(folder.read("axes.csv"));
   EXPECT_LE(worst_ratio(axes), 1.001);
   EXPECT_LT(axes.back().q[0], 200);  // the look-ahead alone would have brought it further
-}
-
-/// What is killed again and again.
-struct Victim {
-  std::string program, period;
-  double T = 0;             ///< s
-  double longest_stop = 0;  ///< mm
-};
-
-/// Along a line a stop from 50 mm/s takes 2.5 mm. Some 20 ms of the part have none that begins soon.
-const Victim arcs_and_corners = {part, "1ms", 1e-3, 15};
-
-/// Some three seconds of short lines along a wave, as one smooth path.
-Victim short_lines() {
-  std::ostringstream program;
-  program << "G21 G90 G94 F3000\nG64 P0.02\n";
-  for (int k = 1; k <= 1200; ++k) program << "G1 X" << 0.1 * k << " Y" << 4 * std::sin(k / 50.0) << "\n";
-  program << "M2\n";
-  return {program.str(), "250us", 250e-6, 15};
-}
-
-/// Drives a program, killed again and again, until it has come to its end; returns how often it was killed.
-int drive_through_kills(const Victim& victim, unsigned seed) {
-  const Folder folder;
-  folder.write("part.ngc", victim.program);
-  leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv", "--period", victim.period});
-  const auto path = rows_of(folder.read("run.csv"));
-  std::minstd_rand random(seed);
-  Row last = path.front();                    // taken by the drives
-  std::vector<double> rest = path.front().q;  // where they came to
-  double longest_stop = 0;
-  bool has_begun = false;
-  std::chrono::microseconds longest_wait{1'200'000};
-  for (int kills = 0;; ++kills) {
-    std::vector<std::string> arguments = {
-        "drive", "part.ngc", "--trace", "words.csv", "--axes",   "axes.csv",   has_begun ? "--resume" : "--state",
-        "state", "--quiet",  "--lead",  "300ms",     "--period", victim.period};
-    Running running(folder, arguments);
-    // At any instant: while the program is read, before there are drives, on the return path, in motion.
-    std::this_thread::sleep_for(longest_wait * (random() % 1000) / 1000);
-    running.send(SIGKILL);
-    const auto outcome = running.wait();
-    const bool was_killed = outcome.signal == SIGKILL;
-    EXPECT_TRUE(was_killed || outcome.status == 0) << outcome.errors;
-    EXPECT_TRUE(eventually([&] { return is_left(folder); }));
-    // Killed before there were drives, it has changed nothing: then there are no files.
-    const auto words = rows_in(folder, "words.csv"), axes = rows_in(folder, "axes.csv");
-    // Where a processor needs long until there is motion, kills come later.
-    if (words.empty()) longest_wait += longest_wait / 4;
-    if (!has_begun && !exists(folder, "state")) {
-      --kills;
-      continue;
-    }
-    has_begun = true;
-    EXPECT_TRUE(state_of(folder) == "stopped" || state_of(folder) == "ended") << folder.read("state");
-    if (!axes.empty()) {
-      EXPECT_LE(worst_ratio(axes, victim.T), 1.001);
-      EXPECT_LE(distance(axes.front().q, rest), 1e-9);
-    }
-    for (std::size_t k = 0; k < words.size(); ++k) {
-      EXPECT_EQ(std::llround(words[k].t / victim.T), static_cast<long long>(k));
-      EXPECT_LE(distance(words[k].q, at(path, words[k].s)), 3e-4);
-    }
-    if (!words.empty()) {
-      // No gap, and nothing twice: it goes on where the last word was, from rest.
-      EXPECT_LE(std::abs(words.front().s - last.s), 1e-9);
-      EXPECT_LE(distance(words.front().q, last.q), 1e-9);
-      EXPECT_EQ(words.front().feed, 0);
-      last = words.back();
-    }
-    if (!axes.empty()) rest = axes.back().q;
-    // Never aside of the path: neither to rest, nor on the return path to where it goes on.
-    for (std::size_t k = 0; k < axes.size(); k += 10) EXPECT_LE(distance_to(path, axes[k].q), 3e-4);
-    EXPECT_LE(distance_to(path, rest), 3e-4);
-    longest_stop = std::max(longest_stop, distance(rest, last.q));
-    EXPECT_LE(longest_stop, victim.longest_stop);
-    if (state_of(folder) == "ended" || ::testing::Test::HasFailure()) {
-      EXPECT_LE(distance(last.q, path.back().q), 1e-9);
-      return kills;
-    }
-    std::filesystem::remove(folder.path() / "words.csv");
-    std::filesystem::remove(folder.path() / "axes.csv");
-  }
-}
-
-TEST(Drive, GoesOnFromWhereItWasKilled) {
-  EXPECT_GE(drive_through_kills(arcs_and_corners, 3), 2);
-}
-
-TEST(LongDrive, GoesOnFromWhereItWasKilledAHundredTimes) {
-  int kills = 0;
-  for (unsigned seed = 1; kills < 100 && !::testing::Test::HasFailure(); ++seed) {
-    kills += drive_through_kills(arcs_and_corners, seed);
-    kills += drive_through_kills(short_lines(), seed);
-  }
 }
 
 TEST(Drive, IsLeftByItsDrivesWhenWordsComeTooLate) {

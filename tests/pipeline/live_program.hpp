@@ -24,12 +24,14 @@ struct Intervention {
 
 class LiveProgram {
  public:
-  LiveProgram(std::string text, const machine::Machine& machine, machine::ToolTable tools = {})
+  LiveProgram(std::string text, const machine::Machine& machine, machine::ToolTable tools = {},
+              const gcode::ReaderOptions& options = {})
       : machine_(machine),
         text_(std::move(text)),
         tools_(std::move(tools)),
-        reader_(gcode::text_source(text_), machine, tools_, {}, [this](const base::Diagnostic&) { ++diagnostics; }),
-        judged_(gcode::text_source(text_), machine, tools_, {}, [](const base::Diagnostic&) {}),
+        reader_(gcode::text_source(text_), machine, tools_, options,
+                [this](const base::Diagnostic&) { ++diagnostics; }),
+        judged_(gcode::text_source(text_), machine, tools_, options, [](const base::Diagnostic&) {}),
         referee_([this](gcode::Move& move) { return judged_.next(move); }, machine, machine.period),
         builder_(machine.rotary_chain ? toolpath::Builder(machine) : toolpath::Builder()),
         planner_(machine, base::AxisVector{}),
