@@ -171,4 +171,67 @@ TEST(CapiSurfaces, AGougeIsToldWithItsDepthAndPlace) {
   EXPECT_LE(std::hypot(gouges[0].place[0] - 7, gouges[0].place[1] - 9), 5.0 + 1e-6);
 }
 
+struct Contour {
+  std::int64_t line = 0;
+  bool is_rapid = false;
+  std::vector<double> places;
+};
+
+std::vector<Contour> contours_of(const std::string& text, double sag) {
+  std::vector<Contour> told;
+  const auto take = [](const leadscrew_contour* from, void* user) {
+    static_cast<std::vector<Contour>*>(user)->push_back(
+        {from->line, from->is_rapid == 1, {from->places, from->places + 3 * from->count}});
+  };
+  const Machine machine = mill();
+  const leadscrew_options options = with_tools();
+  EXPECT_EQ(leadscrew_program_contours(machine.get(), text.data(), text.size(), &options, sag, take, &told, nullptr),
+            LEADSCREW_OK);
+  return told;
+}
+
+/// The contour is where it is programmed, and the tool's middle 3 mm, its radius, beside it.
+TEST(CapiSurfaces, AContourIsToldAsItIsProgrammed) {
+  const std::string text =
+      "T1 M6\nG43 H1\nG0 X-20 Y-10 Z0\nG41 D1 G1 X0 Y0 F1000\nY20\nG2 X20 Y20 R10\nG1 Y0\nG40 G0 X40 Y-10\nX50\nM2\n";
+  constexpr double sag = 0.01;
+  const std::vector<Contour> contours = contours_of(text, sag);
+  ASSERT_EQ(contours.size(), 5U);
+  const std::vector<double> way_in{-20, -10, 0, 0, 0, 0}, side{0, 0, 0, 0, 20, 0}, way_out{20, 0, 0, 40, -10, 0};
+  EXPECT_EQ(contours[0].places, way_in);
+  EXPECT_EQ(contours[1].places, side);
+  EXPECT_EQ(contours[1].line, 5);
+  EXPECT_FALSE(contours[1].is_rapid);
+  EXPECT_EQ(contours[4].places, way_out);
+  EXPECT_TRUE(contours[4].is_rapid);
+  const std::vector<double>& arc = contours[2].places;
+  EXPECT_LT(arc.size(), 3 * 70U);
+  for (std::size_t i = 0; i + 3 < arc.size(); i += 3) {
+    EXPECT_NEAR(std::hypot(arc[i] - 10, arc[i + 1] - 20), 10, 1e-9);
+    EXPECT_NEAR(std::hypot((arc[i] + arc[i + 3]) / 2 - 10, (arc[i + 1] + arc[i + 4]) / 2 - 20), 10 - sag / 2, sag / 2);
+  }
+  const Machine machine = mill();
+  const Trajectory trajectory = planned(machine.get(), text);
+  double highest = 0;
+  for (double t = 0; t < leadscrew_trajectory_duration(trajectory.get()); t += 0.001)
+    highest = std::max(highest, pose_at(trajectory.get(), t).tip[1]);
+  EXPECT_NEAR(highest, 33, 0.02);
+}
+
+TEST(CapiSurfaces, NoContourIsToldWithoutCompensation) {
+  EXPECT_TRUE(contours_of("T1 M6\nG43 H1\nG1 X10 F1000\nG2 X20 R5\nM2\n", 0.01).empty());
+  const Machine machine = mill();
+  const leadscrew_options options = with_tools();
+  const auto none = [](const leadscrew_contour*, void*) {};
+  const std::string gouges = "T1 M6\nG41 D1\nG1 X10 F1000\nX20\nG3 Y2 R1\nM2\n";
+  leadscrew_error error{};
+  error.size = sizeof error;
+  EXPECT_EQ(
+      leadscrew_program_contours(machine.get(), gouges.data(), gouges.size(), &options, 0.01, none, nullptr, &error),
+      LEADSCREW_REJECTED);
+  EXPECT_STREQ(error.code, "cutter-gouge");
+  EXPECT_EQ(leadscrew_program_contours(machine.get(), "G1 X1\n", 6, &options, 0, none, nullptr, nullptr),
+            LEADSCREW_MISUSE);
+}
+
 }  // namespace test_surfaces

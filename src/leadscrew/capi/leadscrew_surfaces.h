@@ -1,5 +1,5 @@
 /** \file
- * Of leadscrew.h: tools, surfaces that a program machines, and where tools gouge them.
+ * Of leadscrew.h: tools, surfaces that a program machines, where tools gouge them, and contours beside which tools go.
  */
 #ifndef LEADSCREW_SURFACES_H
 #define LEADSCREW_SURFACES_H
@@ -66,6 +66,19 @@ typedef struct leadscrew_gouge {
 /** Called once for each block, part and pass that gouges, in their order, and then for each block that does so where it touches. */
 typedef void (*leadscrew_gouge_function)(const leadscrew_gouge* gouge, void* user);
 
+/** A line or an arc of a program while cutter compensation (G41, G42) leads the tool beside it, as the program tells it: in the
+ * workpiece as it lies with all rotary axes at 0, where the tip would go without. */
+typedef struct leadscrew_contour {
+  size_t size;          /**< of this structure, sizeof */
+  int64_t line;         /**< of the program */
+  int32_t file;         /**< as a word's */
+  int32_t is_rapid;     /**< 1: G0 */
+  size_t count;         /**< places, > 1; chords between them lie within the sag */
+  const double* places; /**< count * 3: X, Y and Z, mm; valid until the function returns */
+} leadscrew_contour;
+/** Called once for each, in the order of motion: the way in, the contour, the way out. */
+typedef void (*leadscrew_contour_function)(const leadscrew_contour* contour, void* user);
+
 /** The tools of options->tools or options->tools_file. `user` is for the function. */
 LEADSCREW_API int leadscrew_tools(const leadscrew_options* options, leadscrew_tool_function on_tool, void* user,
                                   leadscrew_error* error);
@@ -80,6 +93,12 @@ LEADSCREW_API int leadscrew_program_surfaces(const leadscrew_machine* machine, c
 LEADSCREW_API int leadscrew_program_gouges(const leadscrew_machine* machine, const char* text, size_t length,
                                            const leadscrew_options* options, double tolerance,
                                            leadscrew_gouge_function on_gouge, void* user, leadscrew_error* error);
+
+/** What a sound program tells where cutter compensation is on, apart from the motion of the tool's middle that becomes of it: nothing
+ * of a program without G41 and G42. Chords lie within `sag` of it, mm, > 0, or are 8192nd parts of a radian. Errors as above. */
+LEADSCREW_API int leadscrew_program_contours(const leadscrew_machine* machine, const char* text, size_t length,
+                                             const leadscrew_options* options, double sag,
+                                             leadscrew_contour_function on_contour, void* user, leadscrew_error* error);
 
 /* NOLINTEND(readability-identifier-naming,performance-enum-size) */
 

@@ -1,4 +1,4 @@
-// The calls of leadscrew.h for surfaces: their shape, the tools that machine them, and where these gouge.
+// The calls of leadscrew.h for what a tool cuts: the shape of surfaces, the tools that machine them, where these gouge, and contours.
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,7 @@ using namespace leadscrew::capi;
 namespace {
 
 constexpr std::size_t most_cells = 500'000;  // two triangles each
+constexpr int most_halvings = 12;            // of half a radian of an arc
 
 /// Readers of one text, any number of them one after the other.
 class ProgramReadings {
@@ -33,9 +34,11 @@ class ProgramReadings {
   }
 
   /// The next from the beginning.
-  gcode::Reader open() {
+  gcode::Reader open(gcode::MoveSink programmed = {}) {
+    gcode::ReaderOptions reading = host::reading_of(machine_, options_, texts_);
+    reading.programmed = std::move(programmed);
     return {host::asking_source(texts_->program(), options_.goes_on, share_), machine_, options_.tools,
-            host::reading_of(machine_, options_, texts_), [this](const base::Diagnostic& diagnostic) {
+            std::move(reading), [this](const base::Diagnostic& diagnostic) {
               if (diagnostic.severity == base::Severity::error && !error_) error_ = diagnostic;
             }};
   }
@@ -147,6 +150,52 @@ leadscrew_gouge gouge_of(const gouging::LocalClearance& from) {
   return gouge;
 }
 
+/// Behind `from`, which the places end with, up to t = `to`: so many halvings at most.
+void append_chords(const gouging::Way& way, double from, double to, double sag, int halvings,
+                   std::vector<double>& places) {
+  const surfaces::Vector end = way.at(to).tip, middle = way.at((from + to) / 2).tip;
+  double squared = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double off = middle[i] - (places[places.size() - 3 + i] + end[i]) / 2;
+    squared += off * off;
+  }
+  if (halvings == 0 || squared <= sag * sag) return append(end, places);
+  append_chords(way, from, (from + to) / 2, sag, halvings - 1, places);
+  append_chords(way, (from + to) / 2, to, sag, halvings - 1, places);
+}
+
+void tell_contour(const gcode::Move& move, const gouging::Way& way, double sag, leadscrew_contour_function on_contour,
+                  void* user) {
+  std::vector<double> places;
+  append(way.at(0).tip, places);
+  const double parts = std::ceil(1 / way.most_step);
+  for (double part = 0; part < parts; ++part)
+    append_chords(way, part / parts, (part + 1) / parts, sag, most_halvings, places);
+  auto told = of_line<leadscrew_contour>(move.line);
+  told.is_rapid = move.feed.mode == gcode::Feed::Mode::rapid ? 1 : 0;
+  told.count = places.size() / 3;
+  told.places = places.data();
+  on_contour(&told, user);
+}
+
+/// Moves of the tool's middle wait for what follows; what is told of the contour waits with them.
+int tell_contours(ProgramReadings& readings, double sag, leadscrew_contour_function on_contour, void* user,
+                  leadscrew_error* error) {
+  const gouging::MovePoses poses(readings.machine());
+  std::vector<gcode::Move> programmed;
+  gcode::Reader reader = readings.open([&](const gcode::Move& move) { programmed.push_back(move); });
+  gcode::Move move;
+  for (bool goes_on = true; goes_on && !readings.error();) {
+    goes_on = reader.next(move);
+    const base::AxisVector& offset = reader.frame().tool();
+    for (const gcode::Move& each : programmed)
+      tell_contour(each, gouging::way_of(each, poses, {offset[0], offset[1], offset[2]}), sag, on_contour, user);
+    programmed.clear();
+  }
+  readings.take(reader);
+  return readings.error() ? rejected(error, *readings.error()) : static_cast<int>(LEADSCREW_OK);
+}
+
 int too_many(leadscrew_error* error) {
   return rejected(error, base::problem("surface-counts", "more surfaces, or larger ones, than are kept",
                                        "at most 1000 surfaces that differ"));
@@ -221,4 +270,11 @@ int leadscrew_program_gouges(const leadscrew_machine* machine, const char* text,
   return with_program(
       machine, text, length, options, tolerance, on_gouge != nullptr, error,
       [&](ProgramReadings& readings) { return tell_gouges(readings, tolerance, on_gouge, user, error); });
+}
+
+int leadscrew_program_contours(const leadscrew_machine* machine, const char* text, size_t length,
+                               const leadscrew_options* options, double sag, leadscrew_contour_function on_contour,
+                               void* user, leadscrew_error* error) {
+  return with_program(machine, text, length, options, sag, on_contour != nullptr, error,
+                      [&](ProgramReadings& readings) { return tell_contours(readings, sag, on_contour, user, error); });
 }

@@ -22,6 +22,10 @@ void set_speed(Move& move) {
   move.feed = {Feed::Mode::units_per_second, move.feed.value * path_length(move)};
 }
 
+bool is_way(const Move& move) {
+  return move.kind == Move::Kind::arc || (move.kind == Move::Kind::line && move.start != move.end);
+}
+
 // A helix of more than one turn is on many levels.
 bool winds(const Move& move) {
   const std::size_t normal = base::index(normal_axis(move.plane));
@@ -72,6 +76,8 @@ bool CutterCompensation::take(Move& move) {
 void CutterCompensation::add(const Move& move) {
   Kept kept{move, reporter_.place(column_)};
   const bool ends = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::program_end;
+  const bool is_led = phase_ != Phase::passing && phase_ != Phase::off;
+  if (is_led && options_.programmed && is_way(move)) options_.programmed(move);
   if (phase_ == Phase::leaving) return leave(std::move(kept));
   if (phase_ == Phase::passing || phase_ == Phase::off) return decide(std::move(kept));
   set_speed(kept.move);

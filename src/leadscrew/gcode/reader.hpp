@@ -85,6 +85,9 @@ ByteSource text_source(std::string_view text);
 /// Called once for each problem, in the order of the text.
 using DiagnosticSink = std::function<void(const base::Diagnostic&)>;
 
+/// Gets a line or an arc as the program tells it.
+using MoveSink = std::function<void(const Move&)>;
+
 /// How a program is read.
 struct ReaderOptions {
   std::string file{};                       ///< name for diagnostics
@@ -118,6 +121,9 @@ struct ReaderOptions {
   /// Surfaces are machined though the tool gouges where it touches, else `surface-gouge`; gouges of cutter compensation where
   /// ways meet are warnings, else errors, `cutter-gouge`.
   bool allows_gouging = false;
+  /// Gets what cutter compensation (G41, G42) leads the tool's middle beside, and the ways in and out, before the moves that it
+  /// becomes are handed out; none behind an error. May be empty.
+  MoveSink programmed{};
   bool repeats = false;  ///< M99 in the main program: goes on from its beginning; otherwise ends it
 };
 
