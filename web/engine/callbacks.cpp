@@ -9,6 +9,7 @@ extern "C" {
 [[clang::import_module("page"), clang::import_name("tool")]] void page_tool(const leadscrew_tool* tool);
 [[clang::import_module("page"), clang::import_name("surface")]] void page_surface(const leadscrew_surface* surface);
 [[clang::import_module("page"), clang::import_name("gouge")]] void page_gouge(const leadscrew_gouge* gouge);
+[[clang::import_module("page"), clang::import_name("contour")]] void page_contour(const leadscrew_contour* contour);
 [[clang::import_module("page"), clang::import_name("progress")]] int page_progress(double share);
 
 [[clang::import_module("page"), clang::import_name("text")]] int page_text(const char* text, size_t length);
@@ -27,6 +28,9 @@ leadscrew_surface_function leadscrew_page_on_surface() {
 }
 leadscrew_gouge_function leadscrew_page_on_gouge() {
   return [](const leadscrew_gouge* gouge, void*) { page_gouge(gouge); };
+}
+leadscrew_contour_function leadscrew_page_on_contour() {
+  return [](const leadscrew_contour* contour, void*) { page_contour(contour); };
 }
 leadscrew_progress_function leadscrew_page_on_progress() {
   return [](double share, void*) { return page_progress(share); };

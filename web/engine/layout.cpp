@@ -170,6 +170,11 @@ static_assert(offsetof(leadscrew_surface, cells) == 12);
 static_assert(offsetof(leadscrew_surface, corners) == 16);
 static_assert(offsetof(leadscrew_surface, normals) == 20);
 
+static_assert(sizeof(leadscrew_contour) == 32);
+static_assert(offsetof(leadscrew_contour, line) == 8);
+static_assert(offsetof(leadscrew_contour, count) == 24);
+static_assert(offsetof(leadscrew_contour, places) == 28);
+
 static_assert(sizeof(leadscrew_gouge) == 144);
 static_assert(offsetof(leadscrew_gouge, line) == 8);
 static_assert(offsetof(leadscrew_gouge, part) == 20);

@@ -100,6 +100,7 @@ export const tool = {
   holderLength: 48,
 } as const;
 export const surface = { size: 24, number: 4, cells: 12, corners: 16, normals: 20 } as const;
+export const contour = { size: 32, line: 8, count: 24, places: 28 } as const;
 export const gouge = {
   size: 144,
   line: 8,

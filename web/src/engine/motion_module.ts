@@ -40,6 +40,16 @@ interface Exports extends CommonExports {
     user: number,
     error: number,
   ): number;
+  leadscrew_program_contours(
+    machine: number,
+    text: number,
+    length: number,
+    options: number,
+    sag: number,
+    onContour: number,
+    user: number,
+    error: number,
+  ): number;
   leadscrew_explain(machine: number, block: number, text: number, length: number): number;
   leadscrew_motion_of_program(
     machine: number,
@@ -84,6 +94,7 @@ interface Exports extends CommonExports {
   leadscrew_page_on_tool(): number;
   leadscrew_page_on_surface(): number;
   leadscrew_page_on_gouge(): number;
+  leadscrew_page_on_contour(): number;
   leadscrew_page_on_progress(): number;
   leadscrew_page_on_text(): number;
 }

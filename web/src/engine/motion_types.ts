@@ -198,8 +198,13 @@ export interface Plan {
   readonly tools: readonly ToolShape[];
   /** Of those that the program machines. */
   readonly surfaces: readonly SurfaceMesh[];
+  /** What the program tells where cutter compensation leads the tool beside it, as lines: places of both ends, six numbers each. */
+  readonly contour: Float32Array;
   readonly poles: readonly PoleVisit[];
 }
+
+/** What a program is machined with and is to become, without its motion. */
+export type Equipment = Pick<Plan, "tools" | "surfaces" | "contour">;
 
 /** In place of what a program and its machine say. */
 export interface Asked {
@@ -333,8 +338,8 @@ export interface PlannerCalls {
   check(task: Task): Promise<Checked>;
   /** Of a sound program; at most so many samples. */
   plan(task: Task, most: number): Promise<Plan | Diagnostic>;
-  /** What plan() tells of tools and surfaces, without a plan. */
-  equipment(task: Task): Promise<Pick<Plan, "tools" | "surfaces">>;
+  /** What plan() tells of tools, surfaces and contours, without a plan. */
+  equipment(task: Task): Promise<Equipment>;
   /** Where a program gouges the surfaces that it machines by more than its machine's tolerance. */
   gouges(task: Task): Promise<readonly Gouge[] | Diagnostic>;
   /** Every word of a program, by a rule; through loops where they are given. */

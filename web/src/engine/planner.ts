@@ -6,6 +6,7 @@ import type {
   Checked,
   CircleTask,
   Diagnostic,
+  Equipment,
   Figures,
   Gouge,
   Limits,
@@ -21,13 +22,13 @@ import type {
   WordTask,
 } from "./motion_types";
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
-import { gougeAt, surfaceAt, toolAt } from "./surfaces";
+import { gougeAt, surfaceAt, takeContour, toolAt } from "./surfaces";
 import { slidesOf } from "./loops";
 import { axesOf, BlockList, samplesOf, traceOf } from "./sampling";
 import { circleWords, wordsOf } from "./words";
 
 const mostLosses = 50; // told one by one
-const shownSag = 0.02; // mm, of surfaces that are only looked at
+const shownSag = 0.02; // mm, of surfaces and contours that are only looked at
 const leastTolerance = 1e-3; // mm, of gouges
 
 const nothingPlanned: Diagnostic = {
@@ -54,6 +55,7 @@ export class Planner implements PlannerCalls {
   private blocks = new BlockList();
   private tools: ToolShape[] = [];
   private surfaces: SurfaceMesh[] = [];
+  private contour: number[] = [];
   private gouged: Gouge[] = [];
   private written: Uint8Array<ArrayBuffer>[] = [];
   private phase: Phase = "reading";
@@ -70,6 +72,7 @@ export class Planner implements PlannerCalls {
       block: (at) => planner.blocks.take(module, at),
       tool: (at) => void planner.tools.push(toolAt(module, at)),
       surface: (at) => void planner.surfaces.push(surfaceAt(module, at)),
+      contour: (at) => takeContour(module, at, planner.contour),
       gouge: (at) => void planner.gouged.push(gougeAt(module, at)),
       text: (at, length) => {
         planner.written.push(new Uint8Array(module.calls.memory.buffer, at, length).slice());
@@ -129,20 +132,20 @@ export class Planner implements PlannerCalls {
     try {
       const trajectory = this.trajectoryOf(machine, task);
       if (typeof trajectory !== "number") return trajectory;
-      this.takeSurfaces(machine, task);
+      this.takeEquipment(machine, task);
       return this.planOf(trajectory, task, module.calls.leadscrew_machine_period(machine), most);
     } finally {
       module.calls.leadscrew_machine_free(machine);
     }
   }
 
-  async equipment(task: Task): Promise<Pick<Plan, "tools" | "surfaces">> {
+  async equipment(task: Task): Promise<Equipment> {
     this.begin("reading");
     const machine = this.machineOf(task);
-    if (typeof machine !== "number") return { tools: [], surfaces: [] };
-    this.takeSurfaces(machine, task);
+    if (typeof machine !== "number") return { tools: [], surfaces: [], contour: new Float32Array() };
+    this.takeEquipment(machine, task);
     this.module.calls.leadscrew_machine_free(machine);
-    return { tools: this.tools, surfaces: this.surfaces };
+    return this.taken;
   }
 
   async gouges(task: Task): Promise<readonly Gouge[] | Diagnostic> {
@@ -244,15 +247,22 @@ export class Planner implements PlannerCalls {
     this.told(phase, 0);
   }
 
-  /** Tools of the table, and the surfaces that are machined; a program of none is not read again. */
-  private takeSurfaces(machine: number, task: Task): void {
+  private get taken(): Equipment {
+    return { tools: this.tools, surfaces: this.surfaces, contour: Float32Array.from(this.contour) };
+  }
+
+  /** Tools of the table, surfaces that are machined, and contours; a program of none of these is not read again. */
+  private takeEquipment(machine: number, task: Task): void {
     const { module } = this;
-    [this.tools, this.surfaces] = [[], []];
+    [this.tools, this.surfaces, this.contour] = [[], [], []];
     module.withProgram(task, (text, length, options) => {
       module.calls.leadscrew_tools(options, module.calls.leadscrew_page_on_tool(), 0, 0);
-      if (!/G0*6\.5/i.test(task.text)) return;
       const onSurface = module.calls.leadscrew_page_on_surface();
-      module.calls.leadscrew_program_surfaces(machine, text, length, options, shownSag, onSurface, 0, 0);
+      const onContour = module.calls.leadscrew_page_on_contour();
+      if (/G0*6\.5/i.test(task.text))
+        module.calls.leadscrew_program_surfaces(machine, text, length, options, shownSag, onSurface, 0, 0);
+      if (/G\s*(0*4\s*[12]|[#[])/i.test(task.text))
+        module.calls.leadscrew_program_contours(machine, text, length, options, shownSag, onContour, 0, 0);
     });
   }
 
@@ -290,8 +300,7 @@ export class Planner implements PlannerCalls {
       drawn: structuredClone(path),
       ranges: rangesOf(samples, blocks),
       lost: lostOf(blocks, mostLosses),
-      tools: this.tools,
-      surfaces: this.surfaces,
+      ...this.taken,
       poles: polesOf(samples),
     };
   }

@@ -7,6 +7,7 @@ import {
   type Asked,
   type Blocks,
   type Diagnostic,
+  type Equipment,
   type Figures,
   type Gouge,
   type Plan,
@@ -239,7 +240,7 @@ function figuresOf(result: RunResult): Figures {
   };
 }
 
-export function planOf(recording: Recording, equipment: Pick<Plan, "tools" | "surfaces">): Plan {
+export function planOf(recording: Recording, equipment: Equipment): Plan {
   const { result } = recording;
   const blocks = blocksOf(recording.blocks);
   const samples = samplesOf(recording.samples, blocks, result);

@@ -1,4 +1,4 @@
-// Tools, surfaces and gouges, as leadscrew.h tells them.
+// Tools, surfaces, contours and gouges, as leadscrew.h tells them.
 
 import * as layout from "./layout";
 import type { MotionModule } from "./motion_module";
@@ -28,6 +28,14 @@ export function surfaceAt(module: MotionModule, at: number): SurfaceMesh {
     corners: numbers(of.corners),
     normals: numbers(of.normals),
   };
+}
+
+/** Its lines, behind those that there are. */
+export function takeContour(module: MotionModule, at: number, lines: number[]): void {
+  const of = layout.contour;
+  const count = module.view.getUint32(at + of.count, true);
+  const places = module.numbers(module.view.getUint32(at + of.places, true), 3 * count);
+  for (let i = 3; i < places.length; i += 3) lines.push(...places.slice(i - 3, i + 3));
 }
 
 export function gougeAt(module: MotionModule, at: number): Gouge {

@@ -4,7 +4,7 @@ import { holds, parts, type Plan } from "../engine/motion_types";
 import { fixed, html } from "../ui/dom";
 import { views, type View } from "./camera";
 import { css, holdColour, partColour, scaleColour } from "./colours";
-import { colourings, type Colouring } from "./settings";
+import { colourings, type Colouring, type Settings } from "./settings";
 import { PathView } from "./view";
 
 const names: Readonly<Record<Colouring, string>> = {
@@ -44,6 +44,8 @@ const partNames: Readonly<Record<(typeof parts)[number], string>> = {
 export interface PathCalls {
   picked(sample: number): void;
   coloured(colouring: Colouring): void;
+  /** The programmed contour is to be shown, or no more. */
+  contoured(isShown: boolean): void;
   /** It is seen from elsewhere, as `view.seen` says. */
   moved(): void;
 }
@@ -58,6 +60,13 @@ export class PathPanel {
   readonly view: PathView;
   private plan: Plan | undefined;
   private readonly choice = html("select", { id: "colouring", change: () => this.colour() });
+  private readonly contour = html("input", { type: "checkbox", id: "contour", change: () => this.showContour() });
+  private readonly contourChoice = html(
+    "label",
+    { class: "inline", for: "contour" },
+    this.contour,
+    " Programmed contour",
+  );
   private readonly legend = html("div", { class: "legend", id: "legend" });
 
   constructor(private readonly calls: PathCalls) {
@@ -84,6 +93,7 @@ export class PathPanel {
           { class: "tools" },
           html("label", { class: "inline", for: "colouring" }, "Coloured by"),
           this.choice,
+          this.contourChoice,
           html(
             "div",
             { class: "buttons", role: "group", "aria-label": "Seen from" },
@@ -98,12 +108,15 @@ export class PathPanel {
     );
   }
 
-  show(colouring: Colouring): void {
+  show({ colouring, hasContour }: Pick<Settings, "colouring" | "hasContour">): void {
     this.choice.value = colouring;
+    this.contour.checked = hasContour;
+    this.view.showContour(hasContour);
   }
 
   load(plan: Plan, colouring: Colouring, seen: string | undefined): void {
     this.plan = plan;
+    this.contourChoice.hidden = plan.contour.length === 0;
     this.view.load(plan, colouring, seen);
     this.showLegend(plan);
   }
@@ -112,13 +125,17 @@ export class PathPanel {
     if (plan === undefined) return;
     const colouring = this.choice.value as Colouring;
     const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
-    const rapid = html("span", { class: "key rapid" }, "rapid");
+    const hasContour = plan.contour.length > 0 && this.contour.checked;
+    const dashed = [
+      html("span", { class: "key rapid" }, "rapid"),
+      ...(hasContour ? [html("span", { class: "key contour" }, "programmed contour")] : []),
+    ];
     if (colouring === "limit" || colouring === "part") {
       const keys =
         colouring === "limit"
           ? holds.map((hold, i) => keyOf(css(holdColour(i, isDark)), holdNames[hold]))
           : parts.map((part, i) => keyOf(css(partColour(i, isDark)), partNames[part]));
-      this.legend.replaceChildren(...keys, rapid);
+      this.legend.replaceChildren(...keys, ...dashed);
       return;
     }
     const ramp = html("span", { class: "ramp" });
@@ -130,8 +147,14 @@ export class PathPanel {
       html("span", { class: "number" }, fixed(least * scale, 0)),
       ramp,
       html("span", { class: "number" }, `${fixed(greatest * scale, 0)} ${units[colouring]}`),
-      rapid,
+      ...dashed,
     );
+  }
+
+  private showContour(): void {
+    this.view.showContour(this.contour.checked);
+    this.showLegend(this.plan);
+    this.calls.contoured(this.contour.checked);
   }
 
   private colour(): void {

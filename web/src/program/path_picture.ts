@@ -22,11 +22,13 @@ export function drawPath(
   colours: Float32Array,
   camera: Camera,
   surfaces: readonly SurfaceMesh[],
+  contour: Float32Array,
   tool: StandingTool | undefined,
 ): void {
   to.rectangle(0, 0, to.width, to.height, colour("paper"));
   const project = projector(camera, to.width, to.height);
   drawSurfaces(to, surfaces, camera, project);
+  drawContour(to, contour, project);
   const at = (v: number): [number, number] => project([...path.places.subarray(v * 3, v * 3 + 3)]);
   const nameOf = (v: number): string => (path.isRapid[v] === 1 ? "rapid" : hex(colours, v));
   let points: number[] = [];
@@ -55,6 +57,23 @@ export function drawPath(
   for (const { isHolder, points } of silhouettesOf(tool, camera, project))
     to.area(points, colour(isHolder ? "truth" : "y"), 0.55);
   to.circle(...project(tool.tip), 2.5, { fill: colour("ink") });
+}
+
+/** Thin and dashed; lines that begin where the last one ends go on. */
+function drawContour(to: Picture, ends: Float32Array, project: (at: readonly number[]) => [number, number]): void {
+  let points: number[] = [];
+  const flush = (): void => {
+    if (points.length >= 4) to.line(points, { colour: colour("ink"), width: 1, dash: [2, 3] });
+  };
+  for (let i = 0; i < ends.length; i += 6) {
+    const goesOn = i > 0 && [0, 1, 2].every((k) => ends[i + k] === ends[i + k - 3]);
+    if (!goesOn) {
+      flush();
+      points = project([...ends.subarray(i, i + 3)]);
+    }
+    points.push(...project([...ends.subarray(i + 3, i + 6)]));
+  }
+  flush();
 }
 
 /** Quadrilaterals, the farther ones first, lit from where one looks. */

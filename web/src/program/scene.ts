@@ -26,6 +26,14 @@ import { frameOf, type Camera } from "./camera";
 
 const mostWideSegments = 60_000; // more are drawn a pixel wide
 
+/** Colours of what has one. */
+export interface Paints {
+  readonly rapid: string;
+  readonly surface: string;
+  /** None: it is not shown. */
+  readonly contour: string | undefined;
+}
+
 /** Vertices of segments that are rapids, or are not: pairs of the path's. */
 function pairsOf(path: PathData, isRapid: boolean): Int32Array {
   const pairs = new Int32Array(path.samples.length * 2);
@@ -74,6 +82,7 @@ export class Scene {
   });
   private readonly wide = new LineMaterial({ vertexColors: true, linewidth: 2.5 });
   private feeds: Int32Array = new Int32Array();
+  private contour: Float32Array = new Float32Array();
   private path: PathData | undefined;
   private reach = 1;
 
@@ -90,17 +99,18 @@ export class Scene {
     [this.eye.left, this.eye.right, this.eye.top, this.eye.bottom] = [-width / 2, width / 2, height / 2, -height / 2];
   }
 
-  load(path: PathData, surfaces: readonly SurfaceMesh[]): void {
+  load(path: PathData, surfaces: readonly SurfaceMesh[], contour: Float32Array): void {
     for (const each of this.surfaces.children) (each as Mesh).geometry.dispose();
     this.surfaces.clear();
     for (const mesh of surfaces) this.surfaces.add(new Mesh(geometryOf(mesh), this.shade));
     this.path = path;
+    this.contour = contour;
     this.feeds = pairsOf(path, false);
     this.reach = Math.max(1e-3, ...[0, 1, 2].map((i) => (path.greatest[i] ?? 0) - (path.least[i] ?? 0)));
   }
 
   /** `colours` has three numbers a vertex of the path, of the sample that it ends with. */
-  paint(colours: Float32Array, rapid: string, surface: string): void {
+  paint(colours: Float32Array, { rapid, surface, contour }: Paints): void {
     this.shade.color.set(new Color(surface));
     const { path, feeds } = this;
     if (path === undefined) return;
@@ -109,11 +119,15 @@ export class Scene {
     // Both ends have the colour of the sample that the segment leads to.
     const ends = feeds.map((v, i) => (i % 2 === 0 ? v + 1 : v));
     if (feeds.length > 0) this.drawn.add(this.feedLines(taken(path.places, feeds), taken(colours, ends)));
-    const rapids = taken(path.places, pairsOf(path, true));
-    if (rapids.length === 0) return;
-    const dash = this.reach / 90;
-    const material = new LineDashedMaterial({ color: new Color(rapid), dashSize: dash, gapSize: dash });
-    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(rapids, 3));
+    this.addDashed(taken(path.places, pairsOf(path, true)), rapid, this.reach / 90);
+    if (contour !== undefined) this.addDashed(this.contour, contour, this.reach / 200);
+  }
+
+  /** Lines of a pixel: places of both ends, six numbers each. */
+  private addDashed(ends: Float32Array, colour: string, dash: number): void {
+    if (ends.length === 0) return;
+    const material = new LineDashedMaterial({ color: new Color(colour), dashSize: dash, gapSize: dash });
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(ends, 3));
     this.drawn.add(new LineSegments(geometry, material).computeLineDistances());
   }
 

@@ -34,12 +34,13 @@ export class SceneClient {
   }
 
   /** The page has the path's arrays no more. */
-  load(path: PathData, surfaces: readonly SurfaceMesh[]): void {
-    this.worker.postMessage({ path, surfaces } satisfies SceneRequest, buffersOf(path));
+  load(path: PathData, surfaces: readonly SurfaceMesh[], contour: Float32Array): void {
+    this.worker.postMessage({ path, surfaces, contour } satisfies SceneRequest, buffersOf(path));
   }
 
-  paint(look: Look): void {
-    this.send({ look, rapid: colour("truth"), surface: colour("truth") });
+  paint(look: Look, hasContour: boolean): void {
+    const contour = hasContour ? colour("ink") : undefined;
+    this.send({ look, paints: { rapid: colour("truth"), surface: colour("truth"), contour } });
   }
 
   /** From there; of several asked for while one is drawn, the last. */

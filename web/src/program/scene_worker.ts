@@ -3,13 +3,13 @@
 import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import type { Camera } from "./camera";
 import { coloursOf, type Look } from "./colours";
-import { Scene } from "./scene";
+import { Scene, type Paints } from "./scene";
 
 export type SceneRequest =
   | { readonly canvas: OffscreenCanvas }
   | { readonly width: number; readonly height: number; readonly ratio: number }
-  | { readonly path: PathData; readonly surfaces: readonly SurfaceMesh[] }
-  | { readonly look: Look; readonly rapid: string; readonly surface: string }
+  | { readonly path: PathData; readonly surfaces: readonly SurfaceMesh[]; readonly contour: Float32Array }
+  | { readonly look: Look; readonly paints: Paints }
   | { readonly camera: Camera; readonly paper: string };
 /** A picture has been drawn. */
 export type SceneReply = "drawn";
@@ -22,9 +22,9 @@ self.onmessage = ({ data }: MessageEvent<SceneRequest>) => {
     scene = new Scene(data.canvas);
   } else if ("path" in data) {
     path = data.path;
-    scene?.load(path, data.surfaces);
+    scene?.load(path, data.surfaces, data.contour);
   } else if ("look" in data) {
-    if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.rapid, data.surface);
+    if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.paints);
   } else if ("width" in data) {
     scene?.size(data.width, data.height, data.ratio);
   } else {

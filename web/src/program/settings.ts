@@ -21,6 +21,8 @@ export interface Settings {
   /** Of the feed, %. */
   override: number;
   colouring: Colouring;
+  /** The contour that is programmed is drawn where cutter compensation leads the tool beside it. */
+  hasContour: boolean;
   /** Where the cursor is, s. */
   time: number;
   /** From where the path is seen, as PathView says; empty: all of it, as at first. */
@@ -97,6 +99,7 @@ export async function toLink(settings: Settings, machine: Limits, origin?: Origi
   if (settings.stretch !== undefined)
     link.set("s", settings.stretch.map((each) => Number(each.toPrecision(7))).join("_"));
   link.set("c", settings.colouring);
+  if (!settings.hasContour) link.set("g41", "0");
   link.set("t", settings.time.toFixed(3));
   return `#${link.toString()}`;
 }
@@ -131,6 +134,7 @@ export async function fromLink(
     tools: (await textOf(link, "tools", begin.tools)).trim(),
     override: 100,
     colouring: "speed",
+    hasContour: link.get("g41") !== "0",
     time: 0,
     seen: (link.get("v3") ?? "").slice(0, 100),
     stretch: stretchOf(link.get("s") ?? ""),

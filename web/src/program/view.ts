@@ -27,6 +27,7 @@ export class PathView {
   private plan: Plan | undefined;
   private path: PathData | undefined;
   private colouring: Colouring = "speed";
+  private hasContour = true;
   private tool: StandingTool | undefined;
   private frame = 0;
   private readonly firstView = { azimuth: views.iso.azimuth, elevation: views.iso.elevation };
@@ -81,7 +82,7 @@ export class PathView {
     this.overlay.mark([]);
     this.overlay.gouges = [];
     this.overlay.poles = plan.poles.map(({ sample }) => [...plan.samples.tip.subarray(sample * 3, sample * 3 + 3)]);
-    this.scene?.load(plan.drawn, plan.surfaces);
+    this.scene?.load(plan.drawn, plan.surfaces, plan.contour);
     this.paint(colouring);
     if (seen !== undefined) this.see(seen);
   }
@@ -89,8 +90,14 @@ export class PathView {
   paint(colouring: Colouring): void {
     this.colouring = colouring;
     if (this.plan === undefined) return;
-    this.scene?.paint(this.lookOf(this.plan));
+    this.scene?.paint(this.lookOf(this.plan), this.hasContour);
     this.draw();
+  }
+
+  /** What the program tells where cutter compensation is on. */
+  showContour(isShown: boolean): void {
+    this.hasContour = isShown;
+    this.repaint();
   }
 
   repaint(): void {
@@ -170,8 +177,9 @@ export class PathView {
 
   private drawOn(picture: Picture, tool: StandingTool | undefined): void {
     if (this.plan === undefined) return;
-    const { path, surfaces } = this.plan;
-    drawPath(picture, path, coloursOf(path, this.lookOf(this.plan)), this.camera, surfaces, tool);
+    const { path, surfaces, contour } = this.plan;
+    const shown = this.hasContour ? contour : new Float32Array();
+    drawPath(picture, path, coloursOf(path, this.lookOf(this.plan)), this.camera, surfaces, shown, tool);
   }
 
   /** The path, and what moves over it. */

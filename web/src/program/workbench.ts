@@ -113,6 +113,10 @@ export class Workbench implements Mode {
         this.settings.colouring = colouring;
         this.keepLink();
       },
+      contoured: (isShown) => {
+        this.settings.hasContour = isShown;
+        this.keepLink();
+      },
       moved: () => {
         if (this.plan === undefined) return;
         this.settings.seen = this.path.view.seen;
@@ -290,7 +294,7 @@ export class Workbench implements Mode {
 
   private showSettings(): void {
     this.machineForm.show(this.machine, this.settings);
-    this.path.show(this.settings.colouring);
+    this.path.show(this.settings);
     this.loops.restore(this.settings.loops);
     this.program.show(this.settings);
     this.showCommand();
