@@ -91,6 +91,28 @@ test("another machine: its file, as saved, gives the command the same words", as
   assert.equal(await figure(page, "Time"), before);
 });
 
+for (const period of [300, 333.333]) {
+  test(`a period of ${period} µs, of which no second is a whole number: times are the command's`, async () => {
+    const { page } = opened;
+    await choose(page, "04-square");
+    const machine = `period_us = ${period}\n${await downloaded(page, "machine-save")}`;
+    const file = join(folder, "period.toml");
+    writeFileSync(file, machine);
+    await page.setInputFiles("#machine-file", file);
+    await page.waitForFunction(() => document.querySelector("#machine-name").textContent === "mill3");
+    assert.equal(await planned(page), "ready");
+    const [shown, expected] = [
+      rowsOf(await downloaded(page, "export-csv")),
+      nativeWords(folder, exampleText("04-square"), machine),
+    ];
+    assert.equal(expected.rows[3][0], (3 * Math.round(period * 1000)) / 1e9);
+    assertSameWords(shown, expected);
+    for (const [i, [time]] of shown.rows.entries()) assert.equal(time, expected.rows[i][0]);
+    await page.click("#machine-reset");
+    await planned(page);
+  });
+}
+
 test("feed override is planned at once", async () => {
   const { page } = opened;
   await write(page, "G21 G90 G1 X100 F600\nM2\n");

@@ -96,6 +96,15 @@ test("its words are the trace's, and the clock walks along them", async () => {
   await close();
 });
 
+test("at a period of which no second is a whole number its times are the trace's", async () => {
+  const { address, trace } = reported("04-square", "--period", "300us");
+  const { page, close } = await openProgram(browser, address);
+  const [shown, words] = [rowsOf(await downloaded(page, "export-csv")), rowsOf(readFileSync(trace, "utf8"))];
+  assertSameWords(shown, words);
+  for (const [i, [time]] of shown.rows.entries()) assert.equal(time, words.rows[i][0]);
+  await close();
+});
+
 test("what is changed is planned anew, and what is changed back is the recording", async () => {
   const { address, result } = reported("04-square");
   const { page, failures, close } = await openProgram(browser, address);

@@ -24,7 +24,7 @@ import type {
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
 import { gougeAt, surfaceAt, takeContour, toolAt } from "./surfaces";
 import { slidesOf } from "./loops";
-import { axesOf, BlockList, samplesOf, traceOf } from "./sampling";
+import { axesOf, BlockList, samplesOf, timeOfWord, traceOf } from "./sampling";
 import { circleWords, wordsOf } from "./words";
 
 const mostLosses = 50; // told one by one
@@ -198,7 +198,7 @@ export class Planner implements PlannerCalls {
       return module.withSized(layout.state.size, (at) =>
         slidesOf(module, machine, axesOf(task.limits), loops, figures.words + 1, (word, to) => {
           if (word % 4096 === 0) this.told("looking", word / (figures.words + 1));
-          module.calls.leadscrew_trajectory_at(trajectory, word * period, at, 0);
+          module.calls.leadscrew_trajectory_at(trajectory, timeOfWord(word, period), at, 0);
           to.set(new Float64Array(module.calls.memory.buffer, at + layout.state.position, layout.axes));
         }),
       );

@@ -14,7 +14,7 @@ import {
   type Samples,
 } from "./motion_types";
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
-import { blockFinder, settleBegins } from "./sampling";
+import { blockFinder, settleBegins, timeOfWord } from "./sampling";
 
 interface Ratios {
   readonly name: string;
@@ -296,12 +296,11 @@ export function gougesOf({ gouging }: Recording): readonly Gouge[] | undefined {
 /** The recorded words, all or every so many, as `leadscrew run --trace` writes them. */
 export function traceOf({ samples: of, result }: Recording): Blob {
   const [position, feed, length, line] = [doubles(of.position), doubles(of.feed), doubles(of.s), integers(of.line)];
-  const perSecond = Math.round(1 / result.period_s);
   const rows = [`t,line,s,feed,${of.axes.join(",")}\n`];
   for (let i = 0; i < of.count; ++i) {
     const tick = Math.min(i * of.words_each, result.words);
     const place = position.subarray(i * of.axes.length, (i + 1) * of.axes.length);
-    rows.push(`${[tick / perSecond, line[i], length[i], feed[i], ...place].join(",")}\n`);
+    rows.push(`${[timeOfWord(tick, result.period_s), line[i], length[i], feed[i], ...place].join(",")}\n`);
   }
   return new Blob(rows, { type: "text/csv" });
 }

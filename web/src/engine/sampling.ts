@@ -63,6 +63,11 @@ export interface Sampled {
   readonly override: number;
 }
 
+/** Of a word, s: the double nearest to so many periods, which are whole nanoseconds; as the command writes it. */
+export function timeOfWord(tick: number, period: number): number {
+  return (tick * Math.round(period * 1e9)) / 1e9;
+}
+
 /** The block of each time, asked for in their order: a word belongs to the way that leads to it. */
 export function blockFinder(blocks: Pick<Blocks, "count" | "begin">, period: number): (time: number) => number {
   let block = 0;
@@ -124,7 +129,7 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     for (let i = 0; i < count; ++i) {
       if (i % 8192 === 0) progress(i / count);
       const tick = Math.min(i * every, of.figures.words);
-      const time = tick * of.period;
+      const time = timeOfWord(tick, of.period);
       module.calls.leadscrew_trajectory_at(trajectory, time, at, 0);
       const view = module.view;
       axes.forEach((axis, k) => {
@@ -153,13 +158,13 @@ export function traceOf(of: Pick<Sampled, "module" | "trajectory" | "period" | "
   const { module, trajectory } = of;
   const axes = axesOf(of.limits);
   const parts: string[] = [`t,line,s,feed,${axes.map((axis) => "XYZABCUVW"[axis]).join(",")}\n`];
-  const perSecond = Math.round(1 / of.period);
   module.withSized(layout.state.size, (at) => {
     for (let tick = 0; tick <= of.figures.words; ++tick) {
-      module.calls.leadscrew_trajectory_at(trajectory, tick * of.period, at, 0);
+      const time = timeOfWord(tick, of.period);
+      module.calls.leadscrew_trajectory_at(trajectory, time, at, 0);
       const view = module.view;
       const numbers = [
-        tick / perSecond,
+        time,
         module.integer(at + layout.state.line),
         view.getFloat64(at + layout.state.pathLength, true),
         view.getFloat64(at + layout.state.feed, true),
