@@ -270,6 +270,8 @@ def check_samples(recording, program):
                                 ("line", "<i4", ["line"])):
         told = numpy.frombuffer(base64.b64decode(samples[name]), dtype=kind).reshape(count, len(columns))
         check(numpy.array_equal(told, taken[:, [header.index(each) for each in columns]]), f"{program}: {name} is not the trace's")
+    for name in ("velocity", "acceleration", "jerk"):
+        check((name in samples) == (every > 1), f"{program}: {name} is told though every word is, or is not though it must be")
     poses = numpy.frombuffer(base64.b64decode(samples["tip"]), dtype="<f4").reshape(count, 3)
     if "tx" in header:
         check(numpy.allclose(poses, taken[:, [header.index(each) for each in POSES[:3]]], atol=1e-4), f"{program}: another tip")

@@ -35,7 +35,8 @@ after(async () => {
 function reported(name, ...options) {
   const [page, trace] = [join(folder, `${name}.html`), join(folder, `${name}.csv`)];
   const args = ["run", join(root, "examples", `${name}.ngc`), "--json", "--report", page, "--trace", trace, ...options];
-  const result = JSON.parse(native(args));
+  const breaks = options.includes("--interpolator"); // published rules of steps may break limits, which is told
+  const result = JSON.parse(native(args, breaks ? [0, 1] : 0));
   return { address: pathToFileURL(page).href, result, trace };
 }
 
@@ -141,6 +142,51 @@ test("what is changed is planned as the run was asked: by its period, mode, tole
   assert.ok((await downloaded(page, "export-vcd")) === readFileSync(dump, "utf8"));
   assert.match(await page.textContent("#command"), /--period 2000us --mode exact-stop --start X1,Y2 --trace/);
   assert.deepEqual(failures, []);
+  await close();
+});
+
+test("smoothing and rule of steps stand in the command; what is changed is smoothed so too, and steps by arc length", async () => {
+  const asked = ["--mode", "blend", "--tolerance", "0.2", "--smoothing", "least-time"];
+  const { address, trace, result } = reported("04-square", ...asked, "--interpolator", "newton");
+  const { page, failures, close } = await openProgram(browser, address);
+  const options = /--mode blend --tolerance 0\.2 --smoothing least-time --interpolator newton --trace/;
+  assert.match(await page.textContent("#command"), options);
+  assertSameWords(rowsOf(await downloaded(page, "export-csv")), rowsOf(readFileSync(trace, "utf8")));
+  const text = `${exampleText("04-square")}\n`;
+  assert.equal(await write(page, text), "ready");
+  assert.match(await page.textContent("#command"), /--smoothing least-time --trace/);
+  const [program, changed] = [join(folder, "smoothed.ngc"), join(folder, "smoothed.csv")];
+  writeFileSync(program, text);
+  native(["run", program, "--quiet", "--trace", changed, ...asked]);
+  const words = rowsOf(readFileSync(changed, "utf8"));
+  assertSameWords(rowsOf(await downloaded(page, "export-csv")), words);
+  const splines = JSON.parse(native(["run", program, "--json", ...asked.slice(0, 4)]));
+  assert.ok(result.time_s < splines.time_s - 1e-3, `${result.time_s} s, of splines ${splines.time_s} s`);
+  assert.deepEqual(failures, []);
+  await close();
+});
+
+test("acceleration and jerk are differences of the recording's words", async () => {
+  const [program, file, trace] = ["feeds.ngc", "feeds.html", "feeds.csv"].map((name) => join(folder, name));
+  writeFileSync(program, "G21 G90 F6000\nG1 X20\nG1 X25 Y10\nM2\n");
+  native(["run", program, "--quiet", "--report", file, "--trace", trace]);
+  const { page, close } = await openProgram(browser, pathToFileURL(file).href);
+  const { columns, rows } = rowsOf(readFileSync(trace, "utf8"));
+  const places = ["X", "Y", "Z"].map((name) => rows.map((row) => row[columns.indexOf(name)]));
+  for (const [order, name] of [
+    [2, "acceleration"],
+    [3, "jerk"],
+  ]) {
+    // Before the first word the axes stand where it is.
+    const differences = places.map((values) => {
+      let all = [values[0], values[0], values[0], ...values];
+      for (let k = 0; k < order; ++k) all = all.slice(1).map((each, i) => (each - all[i]) / 1e-3);
+      return all.slice(3 - order);
+    });
+    const greatest = Math.max(...differences[0].map((_, i) => Math.hypot(...differences.map((axis) => axis[i]))));
+    await page.selectOption("#colouring", name);
+    assert.equal((await page.textContent("#legend .ramp + .number")).split(" ")[0], greatest.toFixed(0));
+  }
   await close();
 });
 

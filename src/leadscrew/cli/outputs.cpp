@@ -168,7 +168,8 @@ results::ReportParts Outputs::report_parts(const files::InputFile& program, cons
           *shown_.recording(),
           job_->machine_text(),
           job_->tools_text(),
-          {job_->start, job_->arguments.mode, job_->arguments.tolerance}};
+          {job_->start, job_->arguments.mode, job_->arguments.tolerance, job_->arguments.smoothing,
+           job_->arguments.run.interpolator}};
 }
 
 std::optional<results::StepFigures> Outputs::step_figures() const {

@@ -153,9 +153,6 @@ json::Json PageRecording::samples() const {
                             {"words_each", every_},
                             {"axes", axes},
                             {"position", packed<double>(all, of_axes(&Sample::position))},
-                            {"velocity", packed<float>(all, of_axes(&Sample::velocity))},
-                            {"acceleration", packed<float>(all, of_axes(&Sample::acceleration))},
-                            {"jerk", packed<float>(all, of_axes(&Sample::jerk))},
                             {"feed", packed<double>(all, [](const Sample& sample) { return sample.feed; })},
                             {"s", packed<double>(all, [](const Sample& sample) { return sample.length; })},
                             {"tip", packed<float>(all, of_three(&Sample::tip))},
@@ -163,6 +160,11 @@ json::Json PageRecording::samples() const {
                             {"line", packed<std::int32_t>(all, [](const Sample& sample) { return sample.line; })},
                             {"hold", packed<std::uint8_t>(all, [](const Sample& sample) { return sample.hold.kind; })},
                             {"hold_axis", packed<std::uint8_t>(all, axis_of_hold)}});
+  if (every_ > 1) {  // else they are differences of what is there
+    json["velocity"] = packed<float>(all, of_axes(&Sample::velocity));
+    json["acceleration"] = packed<float>(all, of_axes(&Sample::acceleration));
+    json["jerk"] = packed<float>(all, of_axes(&Sample::jerk));
+  }
   if (!chain_) return json;
   json["direction"] = packed<float>(all, of_three(&Sample::direction));
   json["pole_angle"] = packed<float>(all, [](const Sample& sample) { return sample.pole_angle; });

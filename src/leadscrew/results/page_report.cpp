@@ -52,8 +52,13 @@ json::Json json_of_events(std::span<const base::PassedEvent> events, base::Perio
 json::Json json_of_asked(const MotionAsked& asked) {
   json::Json start = json::Json::list();
   for (const double position : asked.start) start.push_back(position);
-  json::Json json = json::Json::object({{"mode", nullptr}, {"tolerance_mm", nullptr}, {"start", start}});
+  json::Json json = json::Json::object({{"mode", nullptr},
+                                        {"tolerance_mm", nullptr},
+                                        {"smoothing", nullptr},
+                                        {"interpolator", interpolator::name(asked.steps)},
+                                        {"start", start}});
   if (asked.mode) json["mode"] = *asked.mode == gcode::PathMode::exact_stop ? "exact-stop" : "blend";
+  if (asked.smoothing) json["smoothing"] = *asked.smoothing == machine::Smoothing::splines ? "splines" : "least-time";
   if (asked.tolerance) json["tolerance_mm"] = *asked.tolerance;
   return json;
 }

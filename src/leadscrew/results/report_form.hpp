@@ -3,6 +3,7 @@
 
 #include <leadscrew/files/input_file.hpp>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/interpolator/parameter_steps.hpp>
 #include <leadscrew/report/recording.hpp>
 #include <leadscrew/report/report.hpp>
 #include <leadscrew/results/figures.hpp>
@@ -13,9 +14,11 @@ namespace leadscrew::results {
 
 /// What was asked for in place of what program and machine file say.
 struct MotionAsked {
-  base::AxisVector start{};               ///< where the program begins, mm or degrees
-  std::optional<gcode::PathMode> mode{};  ///< exact_stop or blend, in place of G61, G61.1 and G64
-  std::optional<double> tolerance{};      ///< mm, in place of P of G64
+  base::AxisVector start{};                       ///< where the program begins, mm or degrees
+  std::optional<gcode::PathMode> mode{};          ///< exact_stop or blend, in place of G61, G61.1 and G64
+  std::optional<double> tolerance{};              ///< mm, in place of P of G64
+  std::optional<machine::Smoothing> smoothing{};  ///< in place of the machine's
+  interpolator::StepRule steps = interpolator::StepRule::arc_length;  ///< by which words step along curves
 };
 
 /// What a report needs beside figures: the program, for its text, the command line that makes the report again, what was

@@ -214,9 +214,15 @@ export interface Asked {
   readonly mode: PathMode;
   /** In place of P of G64, mm. */
   readonly tolerance?: number;
+  /** In place of the machine's. */
+  readonly smoothing?: Smoothing;
+  /** By which words stepped along curves; what is planned here is by arc length. */
+  readonly interpolator?: StepRule;
   /** Where the program begins; a number an axis. */
   readonly start: readonly number[];
 }
+/** How corners and short lines are led under G64: `smoothing` of a machine file. */
+export type Smoothing = "splines" | "least-time";
 /** In the order of leadscrew.h. */
 export const pathModes = ["programmed", "exact-stop", "blend"] as const;
 export type PathMode = (typeof pathModes)[number];

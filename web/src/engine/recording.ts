@@ -12,6 +12,8 @@ import {
   type Gouge,
   type Plan,
   type Samples,
+  type Smoothing,
+  type StepRule,
 } from "./motion_types";
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
 import { blockFinder, settleBegins, timeOfWord } from "./sampling";
@@ -66,9 +68,10 @@ interface RecordedSamples {
   readonly words_each: number;
   readonly axes: readonly string[];
   readonly position: string;
-  readonly velocity: string;
-  readonly acceleration: string;
-  readonly jerk: string;
+  /** None where every word is told: they are its differences. */
+  readonly velocity?: string;
+  readonly acceleration?: string;
+  readonly jerk?: string;
   readonly feed: string;
   readonly s: string;
   readonly tip: string;
@@ -120,6 +123,8 @@ export interface Recording {
   readonly asked: {
     readonly mode: "exact-stop" | "blend" | null;
     readonly tolerance_mm: number | null;
+    readonly smoothing: Smoothing | null;
+    readonly interpolator: StepRule;
     readonly start: readonly number[];
   };
   /** The first of them. */
@@ -146,11 +151,13 @@ const mostLosses = 50; // told one by one
 
 /** What the run was asked for. */
 export function askedOf({ asked, result }: Recording): Asked {
-  const { mode, tolerance_mm: tolerance, start } = asked;
+  const { mode, tolerance_mm: tolerance, smoothing, interpolator, start } = asked;
   return {
     period: result.period_s,
     mode: mode ?? "programmed",
     ...(tolerance === null ? {} : { tolerance }),
+    ...(smoothing === null ? {} : { smoothing }),
+    interpolator,
     start,
   };
 }
@@ -199,16 +206,38 @@ function blocksOf(of: RecordedBlocks): Blocks {
   };
 }
 
+/** Velocity, acceleration and jerk of every word: what the command has where it tells them, to the last bit. */
+function derivativesOf(position: Float64Array, axes: number, period: number): readonly Float32Array[] {
+  const derivatives = [1, 2, 3].map(() => new Float32Array(position.length));
+  const before = new Float64Array(4 * axes);
+  before.set(position.subarray(0, axes));
+  for (let i = 0; i < position.length; ++i) {
+    let [difference, perPeriod] = [position[i] ?? 0, 1];
+    for (let k = 0, at = i % axes; k < 4; ++k, perPeriod /= period, at += axes) {
+      const next = difference - (before[at] ?? 0);
+      before[at] = difference;
+      const derivative = derivatives[k - 1];
+      if (derivative !== undefined) derivative[i] = difference * perPeriod;
+      difference = next;
+    }
+  }
+  return derivatives;
+}
+
 function samplesOf(of: RecordedSamples, blocks: Blocks, { period_s, words }: RunResult): Samples {
   const blockAt = blockFinder(blocks, period_s);
+  const position = doubles(of.position);
+  const differences = of.words_each > 1 ? [] : derivativesOf(position, of.axes.length, period_s);
+  const derivative = (told: string | undefined, k: number): Float32Array =>
+    told !== undefined ? floats(told) : (differences[k] ?? new Float32Array(position.length));
   return {
     count: of.count,
     step: of.words_each * period_s,
     axes: of.axes.map((letter) => axisLetters.indexOf(letter)),
-    position: doubles(of.position),
-    velocity: floats(of.velocity),
-    acceleration: floats(of.acceleration),
-    jerk: floats(of.jerk),
+    position,
+    velocity: derivative(of.velocity, 0),
+    acceleration: derivative(of.acceleration, 1),
+    jerk: derivative(of.jerk, 2),
     feed: Float32Array.from(doubles(of.feed)),
     tip: Float64Array.from(floats(of.tip)),
     direction: of.direction === undefined ? upright(of.count) : floats(of.direction),

@@ -66,11 +66,11 @@ export class FilesPanel {
     return isWrong ? undefined : steps;
   }
 
-  /** Of these settings, whose machine is `machine` without changes. */
-  show(settings: Settings, machine: Limits): void {
+  /** Of these settings, whose machine is `machine` without changes; as they were recorded, or planned here. */
+  show(settings: Settings, machine: Limits, isRecorded: boolean): void {
     this.refusal.textContent = "";
     this.name = settings.name.replace(/\.\w+$/, "");
-    const command = commandOf(settings, machine);
+    const command = commandOf(settings, machine, isRecorded);
     this.command.textContent = command;
     this.note.textContent = [
       command.includes("--machine") ? "machine.toml is what Save gives under Machine." : "",

@@ -4,7 +4,7 @@
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { Diagnostic, Gouge, Limits, LoopOptions, Plan, Slides, Task } from "../engine/motion_types";
 import { askedOf, diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
-import { asAsked, copied, fromLink, isAsBegun, toLink, type Origin, type Settings } from "./settings";
+import { asAsked, copied, fromLink, isAsBegun, plannedMachine, toLink, type Origin, type Settings } from "./settings";
 
 const mostSamples = 1_000_000;
 const typingPause = 250; // ms
@@ -58,8 +58,8 @@ export class Planning {
 
   /** What is set, as the engine is asked for it. */
   private get task(): Task {
-    const { text, machine, limits, tools, override, asked } = this.settings;
-    return { text, machine, limits, tools, override: override / 100, asked };
+    const { text, limits, tools, override, asked } = this.settings;
+    return { text, machine: plannedMachine(this.settings), limits, tools, override: override / 100, asked };
   }
 
   /** What is shown as it was recorded: nothing of it has been changed. */
@@ -67,6 +67,10 @@ export class Planning {
     const { recording, settings, machine } = this;
     const origin = originOf(recording);
     return origin !== undefined && isAsBegun(settings, machine, origin) ? recording : undefined;
+  }
+
+  get isRecorded(): boolean {
+    return this.recorded !== undefined;
   }
 
   async link(): Promise<string> {

@@ -175,26 +175,36 @@ function isMachine(limits: Limits, machine: Limits): boolean {
   return JSON.stringify(limits) === JSON.stringify(machine);
 }
 
-/** That gives the same words. */
-export function commandOf(settings: Settings, machine: Limits): string {
+/** That gives the same words; `isRecorded`: of what was recorded, and not of what the engine has planned. */
+export function commandOf(settings: Settings, machine: Limits, isRecorded: boolean): string {
   const name = /^[\w.-]+$/.test(settings.name) ? settings.name : `'${settings.name.replaceAll("'", "'\\''")}'`;
   const isBuiltIn = settings.machine === "" && isMachine(settings.limits, machine);
   const file = isBuiltIn ? "" : " --machine machine.toml";
   const tools = settings.tools === "" ? "" : " --tools tools.tbl";
-  return `leadscrew run ${name}${file}${tools}${askedText(settings.asked)} --trace words.csv`;
+  return `leadscrew run ${name}${file}${tools}${askedText(settings.asked, isRecorded)} --trace words.csv`;
 }
 
 /** What was asked for, as options of the command. */
-function askedText(asked: Asked | undefined): string {
+function askedText(asked: Asked | undefined, isRecorded: boolean): string {
   if (asked === undefined) return "";
-  const { period, mode, tolerance, start } = asked;
+  const { period, mode, tolerance, smoothing, interpolator = "arc-length", start } = asked;
   const from = start.map((each, i) => (each === 0 ? "" : `${axisLetters[i]}${each}`)).filter((each) => each !== "");
   return [
     period === undefined ? "" : ` --period ${Number((period * 1e6).toFixed(3))}us`,
     mode === "programmed" ? "" : ` --mode ${mode}`,
     tolerance === undefined ? "" : ` --tolerance ${tolerance}`,
+    smoothing === undefined ? "" : ` --smoothing ${smoothing}`,
+    isRecorded && interpolator !== "arc-length" ? ` --interpolator ${interpolator}` : "",
     from.length === 0 ? "" : ` --start ${from.join(",")}`,
   ].join("");
+}
+
+/** The machine that the engine plans for: its file, with the smoothing that was asked for. */
+export function plannedMachine(settings: Settings): string {
+  const smoothing = settings.asked?.smoothing;
+  if (smoothing === undefined) return settings.machine;
+  const file = settings.machine === "" ? machineFile(settings) : settings.machine;
+  return `smoothing = "${smoothing}"\n${file.replace(/^\s*smoothing\s*=.*$/gm, "")}`;
 }
 
 /** The machine as a file of the command: as it was opened, with the limits that were changed. */

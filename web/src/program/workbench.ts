@@ -302,7 +302,7 @@ export class Workbench implements Mode {
 
   private showCommand(): void {
     this.program.show(this.settings);
-    this.files.show(this.settings, this.machine);
+    this.files.show(this.settings, this.machine, this.planning.isRecorded);
   }
 
   private showDiagnostics(diagnostics: readonly Diagnostic[]): void {
