@@ -130,6 +130,24 @@ TEST(DriveView, ObeysItsKeysAsFarAsTheProgramAllows) {
   EXPECT_EQ(running.status(), 130);
 }
 
+/// A thread goes on as it is programmed; the hold takes effect where it ends.
+TEST(DriveView, HoldsBehindAThread) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nS300 M3\nG33 Z-20 K1\nG1 X5 F600\nM2\n");
+  OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
+  EXPECT_TRUE(running.shows("override 100 % not obeyed (G33)"));
+  running.press("--");
+  EXPECT_TRUE(running.shows("override  80 % not obeyed (G33)"));
+  EXPECT_TRUE(running.shows("feed    300.0 /min"));
+  running.press(" ");
+  EXPECT_TRUE(running.shows("hold waits (G33)"));
+  EXPECT_TRUE(running.shows("  HELD"));
+  EXPECT_TRUE(running.shows("Z   -20.0000"));
+  running.press(" ");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 0);
+}
+
 /// Under tool centre point control too, whose path is drawn as the tip goes.
 TEST(DriveView, ShowsWhereTheToolIs) {
   const Folder folder;

@@ -62,10 +62,26 @@ std::string events_of(const std::string& text) {
 // LinuxCNC, G84: a tap goes as fast as the spindle turns, whatever the operator asks.
 TEST(CannedCycles, TapWithoutOverrides) {
   const std::string tap = "G84 X10 Z-5 R2\nM2\n";
-  EXPECT_EQ(events_of("S1000 M3 F100\n" + tap), "S M3 M49 M5 M4 M5 M3 M48 M2 ");
-  EXPECT_EQ(events_of("S1000 M3 F100 M50 P0\n" + tap), "S M3 M50 M49 M5 M4 M5 M3 M51 M2 ");
-  EXPECT_EQ(events_of("S1000 M3 F100 M51 P0\n" + tap), "S M3 M51 M49 M5 M4 M5 M3 M50 M2 ");
-  EXPECT_EQ(events_of("S1000 M3 F100 M49\n" + tap), "S M3 M49 M49 M5 M4 M5 M3 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100\n" + tap), "S M3 M49 G33 M5 M4 G33 M5 M3 M48 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M50 P0\n" + tap), "S M3 M50 M49 G33 M5 M4 G33 M5 M3 M51 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M51 P0\n" + tap), "S M3 M51 M49 G33 M5 M4 G33 M5 M3 M50 M2 ");
+  EXPECT_EQ(events_of("S1000 M3 F100 M49\n" + tap), "S M3 M49 M49 G33 M5 M4 G33 M5 M3 M2 ");
+}
+
+// Nothing waits for it, and it has the travel in a revolution that F and S give.
+TEST(CannedCycles, TapInStepWithTheSpindle) {
+  std::vector<base::Event> events;
+  for (const Move& move : read_well("S1000 M3 F1250\nG84 X10 Z-5 R2\nM2\n").moves) {
+    if (move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_in_step)
+      events.push_back(move.event);
+  }
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_DOUBLE_EQ(events[0].value, 1.25);
+  EXPECT_EQ(events[1].value, 0);
+  for (const base::Event& event : events) {
+    EXPECT_FALSE(event.waits);
+    EXPECT_EQ(event.output, base::in_tapping_cycle);
+  }
 }
 
 TEST(CannedCycles, OrientTheSpindleWhereTheyLeaveTheWall) {

@@ -109,4 +109,23 @@ TEST(Start, PutsSpindleAndCoolantInForceAgain) {
   EXPECT_EQ(rest.events.back().kind, Kind::program_end);
 }
 
+/// What goes in step with the spindle is told again where motion goes on in it, and overrides do not count there.
+TEST(Start, GoesOnInStepWithTheSpindle) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source("G21 G90\nS300 M3\nG33 Z-20 K1.5\nG1 X5 F100\nM2\n"), machine, tools,
+                                {}, nullptr);
+  source.planner().start_at(10, base::Line{3});
+  source.planner().override_feed(0.5);
+  const auto chunk = source.next();
+  ASSERT_TRUE(chunk);
+  const auto in_step = std::ranges::find(chunk->events, base::Event::Kind::spindle_in_step, &base::Event::kind);
+  ASSERT_NE(in_step, chunk->events.end());
+  EXPECT_EQ(in_step->value, 1.5);
+  EXPECT_TRUE(source.planner().allowed_overrides().in_step);
+  double fastest = 0;
+  for (const planner::Segment& segment : chunk->segments) fastest = std::max(fastest, segment.v0.value());
+  EXPECT_NEAR(fastest, 7.5, 1e-6);
+}
+
 }  // namespace test_start

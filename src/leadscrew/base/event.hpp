@@ -56,7 +56,8 @@ struct Event {
     /// none.
     user_function,
     /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`); 0:
-    /// motion is no longer in step. Degrees where only rotary axes move.
+    /// motion is no longer in step. Degrees where only rotary axes move. Of G84 and G74 (output: in_tapping_cycle) it is F / S,
+    /// and motion waits for no index.
     spindle_in_step,
     rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again
     /// G43 and the like; output: 0, 1 or 2 of X, Y or Z; value: offset of the tool along it, mm, of the block that motion
@@ -73,6 +74,9 @@ struct Event {
 
   friend bool operator==(const Event&, const Event&) = default;
 };
+
+/// Output of spindle_in_step: of a tapping cycle, 0 of a thread.
+inline constexpr std::int32_t in_tapping_cycle = 1;
 
 /// Digital outputs there are, analog ones, and inputs of either kind (LinuxCNC, "motion" component: at most 64 of each).
 inline constexpr std::int32_t most_outputs = 64;

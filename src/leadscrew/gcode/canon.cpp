@@ -313,6 +313,7 @@ bool CanonWriter::write_in_step(const Move& move, const Frame& frame, int system
   const base::Event::Kind kind = move.event.kind;
   const bool is_event = move.kind == Move::Kind::event;
   if (is_event && (kind == base::Event::Kind::spindle_in_step || kind == base::Event::Kind::rigid_tap)) {
+    if (move.event.output == base::in_tapping_cycle) return true;  // no call there
     printed_.in_step = move.event.value > 0;
     printed_.tap = kind == base::Event::Kind::rigid_tap ? Tap::in : Tap::no;
     if (!printed_.in_step) {

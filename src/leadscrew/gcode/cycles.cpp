@@ -299,10 +299,23 @@ bool CannedCycles::prepare_event(Move& move, DrillCycle::Step::Kind kind) const 
       if (!modal_.feed_override && !modal_.speed_override) return false;
       outbox_.prepare_event(move, modal_.feed_override ? Event::feed_override : Event::spindle_override, 1);
       return true;
+    case Kind::in_step:
+    case Kind::out_of_step:
+      return prepare_step_event(move, kind == Kind::in_step);
     default:
       outbox_.prepare_event(move, spindle_event(kind), kind == Kind::spindle_stop ? 0 : modal_.spindle_speed);
       return true;
   }
+}
+
+// A tap goes in step with the spindle: it waits for nothing, as the spindle's events in it wait where the machine asks for it.
+bool CannedCycles::prepare_step_event(Move& move, bool in_step) const {
+  const bool has_lead = modal_.spindle_speed > 0 && cycle_feed_.mode == Feed::Mode::units_per_second;
+  if (!has_lead) return false;
+  const double lead = cycle_feed_.value * seconds_per_minute / modal_.spindle_speed;
+  outbox_.prepare_event(move, base::Event::Kind::spindle_in_step, in_step ? lead : 0, base::in_tapping_cycle);
+  move.event.waits = false;
+  return true;
 }
 
 base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const {

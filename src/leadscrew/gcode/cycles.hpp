@@ -40,6 +40,7 @@ class CannedCycles : Part {
   void set_cycle_feed(const Block& block);
   void begin(const Block& block, const DrillCycle::Plan& plan);
   bool prepare_event(Move& move, DrillCycle::Step::Kind kind) const;
+  bool prepare_step_event(Move& move, bool in_step) const;
   base::Event::Kind spindle_event(DrillCycle::Step::Kind kind) const;
 
   // What holds for the canned cycles since the last other motion: numbers as they were written, which are read in the

@@ -11,9 +11,10 @@ using DrillAction = DrillCycle::Action;
 
 // What each cycle does from R on.
 constexpr DrillAction of_g83[] = {DrillAction::peck, DrillAction::down, DrillAction::dwell, DrillAction::clear};
-constexpr DrillAction of_g84[] = {
-    DrillAction::no_overrides, DrillAction::down, DrillAction::stop,  DrillAction::reverse,         DrillAction::dwell,
-    DrillAction::out,          DrillAction::stop, DrillAction::start, DrillAction::overrides_again, DrillAction::clear};
+constexpr DrillAction of_g84[] = {DrillAction::no_overrides, DrillAction::in_step,         DrillAction::down,
+                                  DrillAction::stop,         DrillAction::reverse,         DrillAction::dwell,
+                                  DrillAction::out,          DrillAction::out_of_step,     DrillAction::stop,
+                                  DrillAction::start,        DrillAction::overrides_again, DrillAction::clear};
 constexpr DrillAction of_g76_bore[] = {DrillAction::down,  DrillAction::dwell, DrillAction::stop, DrillAction::orient,
                                        DrillAction::aside, DrillAction::clear, DrillAction::back, DrillAction::start};
 constexpr DrillAction of_g85[] = {DrillAction::down, DrillAction::out, DrillAction::clear};
@@ -170,6 +171,10 @@ DrillCycle::Step DrillCycle::in_hole() {
         return {Kind::overrides_off, position_};
       case Action::overrides_again:
         return {Kind::overrides_on, position_};
+      case Action::in_step:
+        return {Kind::in_step, position_};
+      case Action::out_of_step:
+        return {Kind::out_of_step, position_};
       case Action::pause:
         return {Kind::pause, position_};
     }

@@ -56,6 +56,8 @@ class DrillCycle {
       spindle_orient,
       overrides_off,
       overrides_on,
+      in_step,
+      out_of_step,
       pause
     };
     Kind kind = Kind::rapid;
@@ -79,6 +81,8 @@ class DrillCycle {
     start,            ///< the spindle turns as before
     no_overrides,     ///< the operator's are not obeyed
     overrides_again,  ///< they are, as before
+    in_step,          ///< motion goes in step with the spindle
+    out_of_step,      ///< no longer
     pause,            ///< waits for the operator
   };
 

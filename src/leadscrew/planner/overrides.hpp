@@ -1,9 +1,10 @@
 #pragma once
 // The factor of the feed that is in force: what a host asks for, as far as the program lets it (LinuxCNC manual, M48 to
-// M53).
+// M53; G33: "feed override and feed hold are disabled").
 //
 //     factor = (feed override, or 1 behind M49 and M50 P0) · (adaptive feed behind M52, else 1)
 //     0 where motion is held, but behind M53 P0
+//     1 in step with the spindle (G33, G33.1, G76, G84, G74), held or not: a thread would be spoilt, a tap broken
 //
 // What is not obeyed is remembered and counts as soon as the program allows it again.
 
@@ -11,12 +12,14 @@
 
 namespace leadscrew::planner {
 
-/// What a program lets a host change, by the events that motion has passed.
-struct AllowedOverrides {
+/// What a program lets a host change, by the events that motion has passed. Threads tell it to each other in one
+/// atomic, hence its alignment.
+struct alignas(8) AllowedOverrides {
   bool feed = true;       ///< M48, M49, M50
   bool hold = true;       ///< M53
   bool adaptive = false;  ///< M52
   bool spindle = true;    ///< M48, M49, M51: the host's matter
+  bool in_step = false;   ///< with the spindle: neither feed, hold nor adaptive feed count
 
   void pass(const base::Event& event) {
     using Kind = base::Event::Kind;
@@ -37,6 +40,10 @@ struct AllowedOverrides {
       case Kind::adaptive_feed:
         adaptive = event.value != 0;
         return;
+      case Kind::spindle_in_step:
+      case Kind::rigid_tap:
+        in_step = event.value != 0;
+        return;
       default:
         return;
     }
@@ -54,7 +61,9 @@ struct AskedOverrides {
 
   /// 0 … 2.
   double factor(const AllowedOverrides& allowed) const {
-    if (must_rest || (hold && allowed.hold)) return 0;
+    if (must_rest) return 0;
+    if (allowed.in_step) return 1;
+    if (hold && allowed.hold) return 0;
     return (allowed.feed ? feed : 1) * (allowed.adaptive ? adaptive : 1);
   }
 };

@@ -32,6 +32,7 @@ enum class Effect : std::uint8_t {
   spindle_override,
   adaptive_feed,
   feed_hold,
+  in_step,
 };
 
 Effect effect_of(base::Event::Kind kind) {
@@ -79,6 +80,9 @@ Effect effect_of(base::Event::Kind kind) {
       return Effect::adaptive_feed;
     case Kind::feed_hold:
       return Effect::feed_hold;
+    case Kind::spindle_in_step:
+    case Kind::rigid_tap:
+      return Effect::in_step;
     default:
       return Effect::none;
   }
@@ -90,6 +94,13 @@ bool undoes(const base::Event& event, const base::Event& before) {
   if (now == Effect::overrides && (then == Effect::feed_override || then == Effect::spindle_override)) return true;
   const bool is_of_output = now == Effect::digital_output || now == Effect::analog_output || now == Effect::tool_offset;
   return now == then && (!is_of_output || event.output == before.output);
+}
+
+/// From there on a hold would wait.
+bool begins_in_step(const base::Event& event) {
+  AllowedOverrides behind;
+  behind.pass(event);
+  return behind.in_step;
 }
 
 }  // namespace
@@ -131,6 +142,7 @@ std::optional<Chunk> Planner::pop() {
       continue;
     }
     if (const auto* event = std::get_if<base::Event>(&element)) {
+      if (feed_factor_ == 0 && begins_in_step(*event)) return std::nullopt;  // held
       rest_for(*event);
       waiting_.pop_front();
       continue;
@@ -221,6 +233,7 @@ void Planner::keep_in_force(const base::Event& event) {
   const Effect effect = effect_of(event.kind);
   if (effect == Effect::none) return;
   std::erase_if(events_, [&](const base::Event& before) { return undoes(event, before); });
+  if (effect == Effect::in_step && event.value == 0) return;
   events_.push_back(event);
 }
 
