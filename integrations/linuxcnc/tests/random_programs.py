@@ -166,6 +166,19 @@ def after_an_abort(draw, moment, end):
     return acts, place
 
 
+def sensible(acts):
+    """Without single steps of commands, and what goes on only where something is paused: else LinuxCNC, whatever its planner,
+    takes a program under way for one that has been read to its end."""
+    is_paused = are_commands = False
+    for act in acts:
+        what = act[1]
+        are_commands = are_commands or what == "send"
+        if what in ("step", "resume") and not is_paused or what == "step" and are_commands:
+            continue
+        is_paused = what in ("pause", "step") or is_paused and what not in ("resume", "abort")
+        yield act
+
+
 def job_of(seed, number):
     """A program or commands with what happens meanwhile, and where motion ends."""
     draw = random.Random(f"{seed}/{number}")
@@ -190,12 +203,8 @@ def job_of(seed, number):
             acts_after, end = after_an_abort(draw, moment, end)
         meanwhile = [act for act in meanwhile if act[0] < moment] + acts_after + [
             [act[0], *act[1:]] for act in meanwhile if act[0] >= moment]
-        if any(act[1] in ("pause", "step") for act in meanwhile):
-            meanwhile.append([meanwhile[-1][0], "resume", 0])
     acts += [[round(moment, 4), what, value] for moment, what, value in meanwhile]
-    commands = [n for n, act in enumerate(acts) if act[1] == "send"]
-    # Commands have no single steps.
-    job["acts"] = [act for n, act in enumerate(acts) if act[1] != "step" or not commands or n < commands[0]]
+    job["acts"] = list(sensible(acts))
     return job, end
 
 
