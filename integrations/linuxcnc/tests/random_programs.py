@@ -87,12 +87,12 @@ class Program:
         return self.line(spread(self.draw, 0.001, 60))
 
     def curve(self):
-        """Many short lines along a curve, of one feed."""
+        """Many short lines along a curve, of one feed; a stop at each end of a thousand would take minutes."""
         count, step = self.draw.randint(50, 1500), spread(self.draw, 0.005, 1)
         feed = round(max(spread(self.draw, 100, 12000), count * step / 8 * 60), 1)
         self.seconds += count * step / feed * 60
         heading, bend = self.draw.uniform(-math.pi, math.pi), spread(self.draw, 0.001, 0.3)
-        found = []
+        found = ["G64 P0.01"] * (count > 100 and self.draw.random() < 0.5) or ["G61"] * (count > 100)
         for n in range(count):
             heading += self.draw.uniform(-bend, bend)
             if math.hypot(*self.place) > REACH:
