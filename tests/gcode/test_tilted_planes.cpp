@@ -284,7 +284,8 @@ TEST(TiltedPlane, SaysWhatToWriteInPlaceOfWhatIsNotDone) {
   EXPECT_TRUE(hint_of("G68.3 X1 Y2 Z3").starts_with("G68.2 P3"));
   EXPECT_TRUE(hint_of("G53.6").starts_with("G53.1"));
   EXPECT_TRUE(hint_of("G68.2 P4 I30 J20").starts_with("P1"));
-  EXPECT_EQ(hint_of("G60"), "docs/gcode.md lists what is");
+  EXPECT_EQ(hint_of("G60"),
+            "a line past the point and one back: by how much and from where are parameters of its control");
 }
 
 TEST(TiltedPlane, RefusesWhatItCannotTell) {

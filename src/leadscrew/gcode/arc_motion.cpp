@@ -223,6 +223,11 @@ std::optional<ArcCircle> Motion::plain_circle(const Block& block, Code motion, c
 
 void Motion::arc(const Block& block) {
   base::AxisVector target = target_of(block);
+  if (is_secondary(modal_.plane)) {
+    frame_.position = target;
+    error("bad-plane", motion_column(block), "an arc in a plane of U, V and W", "give G17, G18 or G19 before");
+    return;
+  }
   const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;

@@ -62,6 +62,12 @@ Plane plane_after(const Block& block, const ModalState& modal) {
       return Plane::ZX;
     case Code::G19:
       return Plane::YZ;
+    case Code::G17_1:
+      return Plane::UV;
+    case Code::G18_1:
+      return Plane::WU;
+    case Code::G19_1:
+      return Plane::VW;
     default:
       return modal.plane;
   }
@@ -224,8 +230,12 @@ void BlockCheck::check_presence(const Block& block) {
   check_threading(block);
   if (is_probing(modal_.to_do) && !axes)
     error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "G38.2 Z-10 F100");
-  if (is_canned_cycle(modal_.to_do) && !(block.words & (letter_bit('X') | letter_bit('Y') | letter_bit('Z')))) {
-    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words", "X, Y or Z");
+  const bool is_of_uvw = is_secondary(plane_after(block, modal_));
+  const std::uint32_t letters = is_of_uvw ? letter_bit('U') | letter_bit('V') | letter_bit('W')
+                                          : letter_bit('X') | letter_bit('Y') | letter_bit('Z');
+  if (is_canned_cycle(modal_.to_do) && !(block.words & letters)) {
+    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks axis words",
+          is_of_uvw ? "U, V or W" : "X, Y or Z");
   }
 }
 

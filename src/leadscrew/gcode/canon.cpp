@@ -29,6 +29,10 @@ std::string_view name_of_plane(Plane plane) {
       return "CANON_PLANE_XZ";
     case Plane::YZ:
       return "CANON_PLANE_YZ";
+    case Plane::UV:
+    case Plane::WU:
+    case Plane::VW:
+      return "CANON_PLANE_UNKNOWN";  // as rs274 prints it
   }
   return {};
 }

@@ -125,11 +125,11 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G6_6, 66, Group::nonmodal, {L}, "smooth curve through the places that the next blocks are: X Y Z, and I J K, the tool's direction", leadscrew_manual, "P", "P"),
 
   g(Code::G17, 170, Group::plane, all, "plane XY", "NIST IR 6556, 3.5.6"),
-  unread(g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV", manual)),
+  g(Code::G17_1, 171, Group::plane, linuxcnc, "plane UV: of canned cycles, there are no arcs in it", manual),
   g(Code::G18, 180, Group::plane, all, "plane ZX", "NIST IR 6556, 3.5.6"),
-  unread(g(Code::G18_1, 181, Group::plane, linuxcnc, "plane WU", manual)),
+  g(Code::G18_1, 181, Group::plane, linuxcnc, "plane WU: of canned cycles, there are no arcs in it", manual),
   g(Code::G19, 190, Group::plane, all, "plane YZ", "NIST IR 6556, 3.5.6"),
-  unread(g(Code::G19_1, 191, Group::plane, linuxcnc, "plane VW", manual)),
+  g(Code::G19_1, 191, Group::plane, linuxcnc, "plane VW: of canned cycles, there are no arcs in it", manual),
   g(Code::G90, 900, Group::distance, all.without(T), "axis words are coordinates", "NIST IR 6556, 3.5.17"),
   g(Code::G91, 910, Group::distance, all.without(T), "axis words are distances from where the tool stands", "NIST IR 6556, 3.5.17"),
   g(Code::G90_1, 901, Group::arc_distance, {L, C, M}, "I, J and K are coordinates", manual),
@@ -324,6 +324,8 @@ std::string name(Code code) {
 const char* instead_of(Code code) {
   if (code == Code::G53_6) return "G53.1, which lets X, Y and Z stand, and a move to where the tip was";
   if (code == Code::G68_3) return "G68.2 P3, with X and the tool's direction for its two vectors";
+  if (code == Code::G60)
+    return "a line past the point and one back: by how much and from where are parameters of its control";
   return "docs/gcode.md lists what is";
 }
 

@@ -76,6 +76,10 @@ bool CutterCompensation::begin(const Block& block, const Cutter& cutter) {
                  "cutter compensation where the program's plane is none of the machine's",
                  "no tilted plane, tool centre point control or scales that differ");
   }
+  if (is_secondary(modal_.plane)) {
+    return error("cutter-compensation", column, "cutter compensation in a plane of U, V and W",
+                 "give G17, G18 or G19 before");
+  }
   if (modal_.plane == Plane::YZ && options_.dialect == Dialect::linuxcnc) {
     return error("cutter-compensation", column, "cutter compensation in plane YZ",
                  "LinuxCNC compensates in G17 and G18 alone");

@@ -42,8 +42,9 @@ bool CannedCycles::plan_levels(const Block& block, DrillCycle::Plan& plan) {
 
 bool CannedCycles::can_drill(const Block& block) {
   for (const base::Axis axis : base::all_axes) {
-    const bool linear = axis == base::Axis::X || axis == base::Axis::Y || axis == base::Axis::Z;
-    if (!linear && block.has(base::letter(axis))) {
+    const bool is_its_own =
+        axis == first_axis(modal_.plane) || axis == second_axis(modal_.plane) || axis == normal_axis(modal_.plane);
+    if (!is_its_own && block.has(base::letter(axis))) {
       return error("unused-word", block.column_of(base::letter(axis)),
                    std::string("a canned cycle does not move axis ") + base::letter(axis), "move it in a block before");
     }
@@ -58,6 +59,10 @@ bool CannedCycles::can_drill(const Block& block) {
 bool CannedCycles::can_reach(const Block& block) {
   is_tilted_ = frame_.is_tilted();
   const base::Axis axis = normal_axis(modal_.plane);
+  if (is_secondary(modal_.plane) && (is_tilted_ || frame_.tip_control())) {
+    return error("tool-not-along", motion_column(block), std::string("a canned cycle along ") + base::letter(axis),
+                 "give G17, G18 or G19 before: the tool is along none of U, V and W");
+  }
   if ((is_tilted_ || frame_.tip_control()) && !frame_.is_tool_along(axis)) {
     return error("tool-not-along", motion_column(block),
                  std::string("a canned cycle along ") + base::letter(axis) + (is_tilted_ ? " of a tilted plane" : "") +
@@ -145,14 +150,15 @@ void CannedCycles::plan_pecks(const Block& block, DrillCycle::Plan& plan) {
 void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
   const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
   if (block.has('Q')) series_->aside_first = block['Q'];
-  const char letters[] = {static_cast<char>('I' + base::index(first)), static_cast<char>('I' + base::index(second))};
+  const auto letter_aside = [](base::Axis axis) { return static_cast<char>('I' + base::index(axis) % 3); };
+  const char letters[] = {letter_aside(first), letter_aside(second)};
   if (block.has(letters[0])) series_->aside_first = block[letters[0]];
   if (block.has(letters[1])) series_->aside_second = block[letters[1]];
   plan.aside[base::index(first)] = series_->aside_first.value_or(0) * frame_.length_unit;
   plan.aside[base::index(second)] = series_->aside_second.value_or(0) * frame_.length_unit;
   if (!is_tilted_) plan.aside = frame_.direction_to_machine(plan.aside);
   if (plan.code != Code::G87) return;
-  const char level = static_cast<char>('I' + base::index(plan.drill));
+  const char level = letter_aside(plan.drill);
   if (block.has(level)) series_->level = block[level];
   if (!series_->level || !(series_->aside_first || series_->aside_second)) {
     error("missing-word", motion_column(block), "G87 lacks how far aside the tool goes in, or how far up it bores",

@@ -13,19 +13,37 @@ namespace leadscrew::gcode {
 
 /// The plane of arcs: its two axes, in the order in which a counterclockwise arc turns the first towards the second, as
 /// seen from the positive end of the third.
-enum class Plane : std::uint8_t { XY, ZX, YZ };  // G17, G18, G19
+/// There are no arcs in those of U, V and W: canned cycles alone lie across them.
+enum class Plane : std::uint8_t { XY, ZX, YZ, UV, WU, VW };  // G17, G18, G19, G17.1, G18.1, G19.1
+
+/// Is it of U, V and W?
+constexpr bool is_secondary(Plane plane) {
+  return plane > Plane::YZ;
+}
+/// That of X, Y and Z whose axes are beside its own; itself where it is of them.
+constexpr Plane primary_of(Plane plane) {
+  return is_secondary(plane) ? static_cast<Plane>(static_cast<int>(plane) - 3) : plane;
+}
+/// The axis beside it, of U, V and W, where the plane is theirs: else X, Y or Z itself.
+constexpr base::Axis axis_in(Plane plane, base::Axis axis) {
+  constexpr std::size_t from_x_to_u = base::index(base::Axis::U) - base::index(base::Axis::X);
+  return is_secondary(plane) ? base::all_axes[base::index(axis) + from_x_to_u] : axis;
+}
 
 /// From it angles in the plane are counted: X of XY, Z of ZX, Y of YZ.
 constexpr base::Axis first_axis(Plane plane) {
-  return plane == Plane::XY ? base::Axis::X : plane == Plane::ZX ? base::Axis::Z : base::Axis::Y;
+  const Plane primary = primary_of(plane);
+  return axis_in(plane, primary == Plane::XY ? base::Axis::X : primary == Plane::ZX ? base::Axis::Z : base::Axis::Y);
 }
 /// A quarter turn on from the first.
 constexpr base::Axis second_axis(Plane plane) {
-  return plane == Plane::XY ? base::Axis::Y : plane == Plane::ZX ? base::Axis::X : base::Axis::Z;
+  const Plane primary = primary_of(plane);
+  return axis_in(plane, primary == Plane::XY ? base::Axis::Y : primary == Plane::ZX ? base::Axis::X : base::Axis::Z);
 }
 /// Helices climb along it.
 constexpr base::Axis normal_axis(Plane plane) {
-  return plane == Plane::XY ? base::Axis::Z : plane == Plane::ZX ? base::Axis::Y : base::Axis::X;
+  const Plane primary = primary_of(plane);
+  return axis_in(plane, primary == Plane::XY ? base::Axis::Z : primary == Plane::ZX ? base::Axis::Y : base::Axis::X);
 }
 
 /// What a probing move looks for.

@@ -33,7 +33,8 @@ double number_of(Code code) {
 }
 
 double plane_number(Plane plane) {
-  return number_of(plane == Plane::XY ? Code::G17 : plane == Plane::ZX ? Code::G18 : Code::G19);
+  constexpr Code codes[] = {Code::G17, Code::G18, Code::G19, Code::G17_1, Code::G18_1, Code::G19_1};
+  return number_of(codes[static_cast<std::size_t>(plane)]);
 }
 
 double system_number(int system) {

@@ -74,7 +74,8 @@ std::string table_of_codes(char letter) {
   std::string text =
       "\n| code | what it does | words | group | defined in | dialects | example |\n|---|---|---|---|---|---|---|\n";
   for (const CodeRow* row : rows) {
-    const std::string read = row->read ? "" : " *Known, not read.*";
+    const std::string read =
+        row->read ? "" : fmt::format(" *Known, not read. In its place: {}.*", escaped(gcode::instead_of(row->code)));
     text += fmt::format("| {} | {}.{} | {} | {} | {} | {} | {} |\n", name(row->code), escaped(row->summary), read,
                         words_of(*row), name(row->group), escaped(row->source), gcode::names_of(row->dialects),
                         example_text(example_of(row->code)));
