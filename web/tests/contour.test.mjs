@@ -109,3 +109,28 @@ test("a report draws it too; pictures", async () => {
     await close();
   }
 });
+
+test("the path has the colours of its legend", async () => {
+  const { page, close } = await openProgram(browser, `${server.address}program.html`);
+  assert.equal(await choose(page, "04-square"), "ready");
+  await page.selectOption("#colouring", "part");
+  await resized(page, 1280);
+  const picture = (await page.locator("#space").screenshot()).toString("base64");
+  const count = await page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+    const wanted = getComputedStyle(document.querySelector("#legend .chip")).backgroundColor.match(/\d+/g).map(Number);
+    let equal = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (wanted.every((channel, k) => Math.abs(data[i + k] - channel) <= 2)) ++equal;
+    return equal;
+  }, picture);
+  assert.ok(count > 500, `${count} pixels`);
+  await close();
+});

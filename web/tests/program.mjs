@@ -45,6 +45,7 @@ export async function resized(page, width) {
   await page.setViewportSize({ width, height: 900 });
   await page.evaluate(() => document.querySelector("#space").scrollIntoView());
   await page.waitForTimeout(600);
+  await page.waitForFunction(() => document.querySelector("#space").dataset.drawing === undefined);
 }
 
 export async function downloaded(page, id) {

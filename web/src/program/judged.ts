@@ -109,7 +109,7 @@ export class JudgedPanel {
       html(
         "p",
         { class: "note" },
-        "What is changed here is planned anew by the engine in this page, by the period, mode, tolerance and start of that command.",
+        "What is changed here is planned anew by the engine in this page, by the period, mode, tolerance, smoothing and start of that command.",
       ),
     );
   }

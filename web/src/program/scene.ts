@@ -54,6 +54,18 @@ function taken(from: Float32Array, vertices: Int32Array): Float32Array {
   return numbers;
 }
 
+const levels = 255;
+/** Three.js reckons with light, of which screens show another power (IEC 61966-2-1): for each level of a channel. */
+const light = Float32Array.from({ length: levels + 1 }, (_, level) => {
+  const shown = level / levels;
+  return shown <= 0.04045 ? shown / 12.92 : ((shown + 0.055) / 1.055) ** 2.4;
+});
+
+/** Of colours as screens show them. */
+function lit(colours: Float32Array): Float32Array {
+  return colours.map((shown) => light[Math.round(shown * levels)] ?? 0);
+}
+
 /** Two triangles a quadrilateral, of corners 0 1 2 and 0 2 3. */
 function geometryOf(mesh: SurfaceMesh): BufferGeometry {
   const corners = mesh.corners.length / 3;
@@ -118,7 +130,7 @@ export class Scene {
     this.drawn.clear();
     // Both ends have the colour of the sample that the segment leads to.
     const ends = feeds.map((v, i) => (i % 2 === 0 ? v + 1 : v));
-    if (feeds.length > 0) this.drawn.add(this.feedLines(taken(path.places, feeds), taken(colours, ends)));
+    if (feeds.length > 0) this.drawn.add(this.feedLines(taken(path.places, feeds), lit(taken(colours, ends))));
     this.addDashed(taken(path.places, pairsOf(path, true)), rapid, this.reach / 90);
     if (contour !== undefined) this.addDashed(this.contour, contour, this.reach / 200);
   }

@@ -23,8 +23,8 @@ export class SceneClient {
     this.worker = startWorker();
     this.worker.onmessage = () => {
       this.isDrawing = false;
-      drawn();
       if (this.wanted !== undefined) this.draw(this.wanted);
+      drawn();
     };
     this.worker.postMessage({ canvas } satisfies SceneRequest, [canvas]);
   }
@@ -41,6 +41,11 @@ export class SceneClient {
   paint(look: Look, hasContour: boolean): void {
     const contour = hasContour ? colour("ink") : undefined;
     this.send({ look, paints: { rapid: colour("truth"), surface: colour("truth"), contour } });
+  }
+
+  /** Nothing is being drawn, and nothing is to be. */
+  get isIdle(): boolean {
+    return !this.isDrawing && this.wanted === undefined;
   }
 
   /** From there; of several asked for while one is drawn, the last. */

@@ -177,7 +177,7 @@ function isMachine(limits: Limits, machine: Limits): boolean {
 
 /** That gives the same words; `isRecorded`: of what was recorded, and not of what the engine has planned. */
 export function commandOf(settings: Settings, machine: Limits, isRecorded: boolean): string {
-  const name = /^[\w.-]+$/.test(settings.name) ? settings.name : `'${settings.name.replaceAll("'", "'\\''")}'`;
+  const name = /^[\w./-]+$/.test(settings.name) ? settings.name : `'${settings.name.replaceAll("'", "'\\''")}'`;
   const isBuiltIn = settings.machine === "" && isMachine(settings.limits, machine);
   const file = isBuiltIn ? "" : " --machine machine.toml";
   const tools = settings.tools === "" ? "" : " --tools tools.tbl";

@@ -185,6 +185,7 @@ export class PathView {
   /** The path, and what moves over it. */
   private draw(): void {
     this.isPathStale = true;
+    this.element.dataset["drawing"] = "";
     this.moved();
     this.drawOver();
   }
@@ -202,11 +203,17 @@ export class PathView {
       else this.drawOn(new CanvasPicture(this.canvas, width, height), undefined);
     }
     this.isPathStale = false;
+    this.settle();
     this.overlay.draw(this.camera, width, height, this.path, this.tool);
   }
 
   private countPicture(): void {
     this.element.dataset["pictures"] = String(Number(this.element.dataset["pictures"] ?? 0) + 1);
+    this.settle();
+  }
+
+  private settle(): void {
+    if (!this.isPathStale && (this.scene?.isIdle ?? true)) delete this.element.dataset["drawing"];
   }
 
   private resize(): void {
