@@ -61,7 +61,8 @@ for (const [controller, options] of [
     assert.equal(await figure(page, "X lags", "loops-figures"), `${x.following_max_mm.toFixed(4)} mm`);
     assert.equal(await figure(page, "Contour error", "loops-figures"), `${(told.contour.max_mm * 1000).toFixed(1)} µm`);
     const [, command] = /^leadscrew (.*) --json$/.exec(await page.textContent("#loops-command"));
-    assert.equal(command, ["simulate", "PROGRAM", ...options].join(" "));
+    const file = controller === "pulses" ? ["--machine", "machine.toml"] : []; // of the gain, which no option says
+    assert.equal(command, ["simulate", "04-square.ngc", ...file, ...options].join(" "));
   });
 
 async function pictures(page) {
@@ -92,6 +93,11 @@ test("gains, the encoder and the sensor do what they say, and what is wrong is t
   await page.fill("#loops-positionGain", "5000");
   await followed(page, "refused");
   assert.match(await page.textContent("#loops-note"), /not stable/);
+  // What no option says is the machine file's.
+  assert.equal(
+    await page.textContent("#loops-command"),
+    "leadscrew simulate 04-square.ngc --machine machine.toml --json",
+  );
   await page.fill("#loops-positionGain", "x");
   assert.match(await page.textContent("#loops-positionGain-error"), /none of 0.1 to 5000 1\/s/);
   await page.fill("#loops-positionGain", "40");

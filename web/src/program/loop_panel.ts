@@ -66,6 +66,7 @@ export class LoopPanel {
     "Follow",
   );
   private readonly note = html("p", { class: "note", id: "loops-note", role: "status" });
+  private program = (_hasFile: boolean): string => "PROGRAM";
   private readonly command = html("code", {
     class: "command",
     id: "loops-command",
@@ -161,6 +162,12 @@ export class LoopPanel {
     this.show();
   }
 
+  /** What is followed, as commands name it; `hasFile`: the machine file has something to say of the loops. */
+  name(program: (hasFile: boolean) => string): void {
+    this.program = program;
+    this.showCommand();
+  }
+
   get asked(): LoopSettings | undefined {
     return this.isOn ? this.settings : undefined;
   }
@@ -211,6 +218,11 @@ export class LoopPanel {
     if ("code" in found) this.note.textContent = `${found.message}${found.hint === "" ? "" : `: ${found.hint}`}`;
   }
 
+  private showCommand(): void {
+    const { options, keys } = commandOf(this.settings);
+    this.command.textContent = `leadscrew simulate ${this.program(keys !== "")}${options} --json`;
+  }
+
   private show(): void {
     const { settings, slides } = this;
     const errors: FieldErrors = new Map();
@@ -223,12 +235,12 @@ export class LoopPanel {
     this.fields.show("loops-view", this.view, slides !== undefined);
     this.fields.show("loops-shows", this.signal, slides !== undefined);
     this.shown.hidden = slides === undefined;
-    const { options, keys } = commandOf(settings);
-    this.command.textContent = `leadscrew simulate PROGRAM${options} --json`;
+    const { keys } = commandOf(settings);
+    this.showCommand();
     this.note.textContent = this.isOn
       ? keys === ""
         ? ""
-        : `The command has the same with ${keys} of the machine file.`
+        : `The command has the same with ${keys} of the machine file, which Save gives under Machine.`
       : "Follow lets simulated drives follow the words, as leadscrew simulate does.";
     if (slides !== undefined) this.showFigures(slides);
     this.draw();

@@ -177,11 +177,16 @@ function isMachine(limits: Limits, machine: Limits): boolean {
 
 /** That gives the same words; `isRecorded`: of what was recorded, and not of what the engine has planned. */
 export function commandOf(settings: Settings, machine: Limits, isRecorded: boolean): string {
+  return `leadscrew run ${programOf(settings, machine, isRecorded)} --trace words.csv`;
+}
+
+/** As commands name it, with all options that its words depend on; `hasFile`: the machine has one, whatever is set. */
+export function programOf(settings: Settings, machine: Limits, isRecorded = false, hasFile = false): string {
   const name = /^[\w./-]+$/.test(settings.name) ? settings.name : `'${settings.name.replaceAll("'", "'\\''")}'`;
-  const isBuiltIn = settings.machine === "" && isMachine(settings.limits, machine);
+  const isBuiltIn = !hasFile && settings.machine === "" && isMachine(settings.limits, machine);
   const file = isBuiltIn ? "" : " --machine machine.toml";
   const tools = settings.tools === "" ? "" : " --tools tools.tbl";
-  return `leadscrew run ${name}${file}${tools}${askedText(settings.asked, isRecorded)} --trace words.csv`;
+  return `${name}${file}${tools}${askedText(settings.asked, isRecorded)}`;
 }
 
 /** What was asked for, as options of the command. */

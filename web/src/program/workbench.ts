@@ -23,7 +23,7 @@ import { PathPanel } from "./path_panel";
 import { ProgramPanel } from "./program_panel";
 import { Planning, type End } from "./planning";
 import { Progress } from "./progress";
-import { machineFile, type Settings } from "./settings";
+import { machineFile, programOf, type Settings } from "./settings";
 
 export class Workbench implements Mode {
   readonly element: HTMLElement;
@@ -303,6 +303,7 @@ export class Workbench implements Mode {
   private showCommand(): void {
     this.program.show(this.settings);
     this.files.show(this.settings, this.machine, this.planning.isRecorded);
+    this.loops.name((hasFile) => programOf(this.settings, this.machine, false, hasFile));
   }
 
   private showDiagnostics(diagnostics: readonly Diagnostic[]): void {
