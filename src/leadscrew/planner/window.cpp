@@ -83,6 +83,7 @@ class WindowPlanner {
   bool repair_in_motion(Window& window, Knots* finer) const;
   bool refine(Knots& knots, const Window& window) const;
   static bool may_tighten(const Window& window);
+  static bool exceeds_only_where_it_begins(const Window& window);
   bool emit(Window& window) const;
   bool add_stop(Window& window) const;
   bool prove(Window& window) const;
@@ -254,6 +255,11 @@ bool WindowPlanner::may_tighten(const Window& window) {
   return true;
 }
 
+bool WindowPlanner::exceeds_only_where_it_begins(const Window& window) {
+  const auto exceeds = [](const Ratios& factors) { return factors.worst() > 1; };
+  return std::none_of(window.factors.begin() + 2, window.factors.end(), exceeds);
+}
+
 /// Plans until the proof is kept. False if it is not kept for all repairs, or if `finer` knots are needed first.
 bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   SpeedProfile& profile = window.profile;
@@ -273,6 +279,8 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     const bool coarse = window.worst > coarse_knots || round + 1 >= rounds;  // or repairs have not helped
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
+    // Where it begins, motion is what it was: nothing that can be tightened.
+    if (round + 2 < rounds && exceeds_only_where_it_begins(window)) round = rounds - 2;
     first_gap = 2 * near_inside;
     profile.retreat(near_inside);
     if (round > 0 || !may_tighten(window)) {
