@@ -7,7 +7,7 @@ namespace leadscrew::interpolator {
 
 namespace {
 
-constexpr double share = 0.5;           // of the limits, with which errors are planned to be braked away
+constexpr double share = 0.5;            // of the limits, with which errors are planned to be braked away
 constexpr double within_limits = 0.999;  // of them is used, for rounding
 constexpr int halvings = 60;
 
@@ -78,7 +78,8 @@ double Follower::wanted_acceleration() const {
   const double t = period_, gain = std::min(limits_.jerk / limits_.acceleration, gain_by_period / t);
   const double error = place_ + (speed_ + change_ * t / 2) * t - (s_ + (v_ + a_ * t / 2) * t);
   const double most = limits_.velocity;
-  const double speed = std::clamp(speed_ + change_ * t + braked(error, share * limits_.acceleration, gain), -most, most);
+  const double speed =
+      std::clamp(speed_ + change_ * t + braked(error, share * limits_.acceleration, gain), -most, most);
   const double wanted = change_ + braked(speed - (v_ + a_ * t), share * limits_.jerk, between_loops * gain);
   return std::clamp(wanted, -limits_.acceleration, limits_.acceleration);
 }

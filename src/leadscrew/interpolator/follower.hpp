@@ -10,7 +10,7 @@
 //
 //     s                 spindle ╱      ╭── end: three phases of constant jerk, as late as they lead to rest there
 //       │                     ╱  ─╯
-//       │     run-in ╲      ╱ 
+//       │     run-in ╲      ╱
 //       │             ╭───╯  in step: |s − p| ≤ tolerance
 //       └────────────╯──────────────▶ t
 //

@@ -40,7 +40,8 @@ SpindleMotion::SpindleMotion(const machine::Spindle& spindle)
 double SpindleMotion::own_time(double t) const {
   double sum = 0;
   for (const Wave& wave : waves_) {
-    const double turned = sines_at(wave.frequency, 0, wave.phase).cosine - sines_at(wave.frequency, t, wave.phase).cosine;
+    const double turned =
+        sines_at(wave.frequency, 0, wave.phase).cosine - sines_at(wave.frequency, t, wave.phase).cosine;
     sum += wave.share / wave.frequency * turned;
   }
   return t + wander_ * sum;

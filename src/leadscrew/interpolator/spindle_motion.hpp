@@ -37,8 +37,8 @@ class SpindleMotion {
   double acceleration_;  ///< revolutions per s²
   double wander_;
   std::array<Wave, 3> waves_;
-  double begin_ = 0;        ///< of the ramp, by its own time, s
-  double revolutions_ = 0;  ///< there
+  double begin_ = 0;          ///< of the ramp, by its own time, s
+  double revolutions_ = 0;    ///< there
   double from_ = 0, to_ = 0;  ///< revolutions per s
 };
 
