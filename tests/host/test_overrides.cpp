@@ -213,4 +213,26 @@ TEST(HostOverrides, KeepAThreadFromBeginning) {
   EXPECT_EQ(words_of(*motion).back().position[2], -20);
 }
 
+/// What is held on the way to a tap comes to rest, though the tap's beginning may lie on the way there.
+TEST(HostOverrides, HoldOnTheWayToATap) {
+  for (const Synchronised& each : synchronised) {
+    if (each.rests) continue;
+    const auto plain = places(words_of(*program(of_thread(each))));
+    for (const double above : {4.9, 4.0, 3.0, 2.5, 2.1}) {
+      const auto motion = program(of_thread(each));
+      std::vector<base::Word> words(1);
+      do {
+        ASSERT_EQ(motion->next(words), 1U);
+      } while (!(words[0].position[2] < above && words[0].position[2] > 2));
+      ASSERT_TRUE(motion->override_feed(0));
+      double lowest = words[0].position[2];
+      while (motion->next(words) > 0) lowest = std::min(lowest, words[0].position[2]);
+      EXPECT_EQ(motion->progress(), pipeline::Progress::held) << each.name << " from " << above;
+      EXPECT_GT(lowest, 0) << each.name << " from " << above;
+      ASSERT_TRUE(motion->override_feed(1));
+      EXPECT_EQ(words_of(*motion).back().position, plain.back()) << each.name;
+    }
+  }
+}
+
 }  // namespace test_overrides

@@ -128,4 +128,16 @@ TEST(Start, GoesOnInStepWithTheSpindle) {
   EXPECT_NEAR(fastest, 7.5, 1e-6);
 }
 
+TEST(Start, StaysHeldInStepWithTheSpindle) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source("G21 G90\nS300 M3\nG33 Z-20 K1.5\nG1 X5 F100\nM2\n"), machine, tools,
+                                {}, nullptr);
+  source.planner().start_at(10, base::Line{3});
+  source.planner().override_feed(0);
+  EXPECT_FALSE(source.next());
+  source.planner().override_feed(1);
+  EXPECT_TRUE(source.next());
+}
+
 }  // namespace test_start

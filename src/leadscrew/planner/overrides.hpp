@@ -4,7 +4,8 @@
 //
 //     factor = (feed override, or 1 behind M49 and M50 P0) · (adaptive feed behind M52, else 1)
 //     0 where motion is held, but behind M53 P0
-//     1 in step with the spindle (G33, G33.1, G76, G84, G74), held or not: a thread would be spoilt, a tap broken
+//     1 in step with the spindle (G33, G33.1, G76, G84, G74), whatever is asked for meanwhile, a hold, too: a thread would
+//     be spoilt, a tap broken; but what is held before motion comes in step stays held
 //
 // What is not obeyed is remembered and counts as soon as the program allows it again.
 
@@ -59,10 +60,10 @@ struct AskedOverrides {
   bool hold = false;       ///< motion is to rest
   bool must_rest = false;  ///< whatever the program says
 
-  /// 0 … 2.
-  double factor(const AllowedOverrides& allowed) const {
+  /// 0 … 2; `before` was in force until now.
+  double factor(const AllowedOverrides& allowed, double before) const {
     if (must_rest) return 0;
-    if (allowed.in_step) return 1;
+    if (allowed.in_step) return hold && before == 0 ? 0 : 1;
     if (hold && allowed.hold) return 0;
     return (allowed.feed ? feed : 1) * (allowed.adaptive ? adaptive : 1);
   }

@@ -310,7 +310,7 @@ void Planner::come_to_rest() {
 
 /// What is asked for, as far as the events allow that motion has passed by the end of the last chunk.
 void Planner::take_factor() {
-  const double factor = asked_.factor(travelling_.overrides());
+  const double factor = asked_.factor(travelling_.overrides(), feed_factor_);
   if (factor == feed_factor_) return;
   feed_factor_ = factor;
   look_ahead_.override_feed(factor);
