@@ -3,7 +3,7 @@
 with overrides of 0 to 200 %, pauses, steps, aborts, jogs and runs at random instants; of these NUMBERs alone where some are given.
 Limits are kept, drives follow, nothing hangs, nothing complains, and motion ends where the last program or command ends.
 
-Programs are played by Four LinuxCNCs at once, some programs each, so that one that hangs takes few with it."""
+Programs are played by four LinuxCNCs at once, some programs each, so that one that hangs takes few with it."""
 import concurrent.futures
 import math
 import random
