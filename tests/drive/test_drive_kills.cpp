@@ -30,7 +30,8 @@ Victim short_lines() {
   return {program.str(), "250us", 250e-6, 15};
 }
 
-/// Moves that the reader makes: beside a contour, in cycles, of a shaft that is roughed, in loops, and up to a probe.
+/// Moves that the reader makes: beside a contour, in cycles, of a shaft that is roughed, in loops, and up to a probe. A stop from
+/// rapids of 200 mm/s takes v (v/a + a/j) / 2 = 25 mm, and 20 ms before it begins 4 mm more.
 const Victim generated = {
     "G21 G90 G94 G17 F3000\nG64 P0.02\nG0 X10 Y-12\nG42.1 D4\nG1 X10 Y-8\nX18\nG3 X20 Y-6 J2\nG1 "
     "Y8\nX0\nY-8\nX10\nG40\n"
@@ -38,7 +39,7 @@ const Victim generated = {
     "Z-9\n"
     "O100 endsub\nG18\nG0 X9 Z2\nG71 Q100 I3 R0.5\nG70 Q100\nG17\no200 repeat [2]\nG91 G1 X2 Y3\nG2 X3 I1.5\nG90\n"
     "o200 endrepeat\nG0 Z4\nG38.3 Z-7\nG1 X[#5063*2] Y0\nG61\nG1 Z0\nM2\n",
-    "1ms", 1e-3, 15};
+    "1ms", 1e-3, 30};
 
 /// Drives a program, killed again and again, until it has come to its end; returns how often it was killed.
 int drive_through_kills(const Victim& victim, unsigned seed) {
