@@ -75,6 +75,10 @@ bool PlanningThread::step() {
   if (!engine_) return refuse_moves();
   const bool aborts = has_failed_ || link_.aborts.load(std::memory_order_acquire) == set_down_;
   if (!aborts) take_moves();
+  if (!engine_) {
+    link_.has_failed.store(true, std::memory_order_release);
+    return false;
+  }
   const bool has_gone_on =
       engine_->step({link_.factor.load(std::memory_order_relaxed), link_.top_speed.load(std::memory_order_relaxed),
                      link_.in_motion.load(std::memory_order_relaxed)},
@@ -151,6 +155,7 @@ void PlanningThread::take_moves() {
       std::copy(std::begin(move.end), std::end(move.end), end.begin());
       engine_.reset();
       make_engine(end);
+      if (!engine_) return fail(problem_);
       link_.rejoined.store(move.number, std::memory_order_release);
     } else if (auto pushed = engine_->push(move); !pushed) {
       return fail(told(pushed.error()));

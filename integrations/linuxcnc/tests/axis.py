@@ -86,7 +86,7 @@ def main(module, picture):
         wrong.append("what LinuxCNC says")
     if pathlib.Path(picture).stat().st_size < 20000:
         wrong.append("an empty screen")
-    sys.exit(", ".join(wrong))
+    sys.exit(", ".join(wrong) or 0)
 
 
 if __name__ == "__main__":

@@ -166,11 +166,16 @@ TEST(Functions, tpRunCycle) {
 
 TEST(Functions, tpPause) {
   Motmod motmod;
-  corner(motmod);
+  motmod.line(400, 0);
   EXPECT_TRUE(motmod.cycle_until([&] { return motmod.speed() > 50; }));
   EXPECT_EQ(motmod.functions.tpPause(&motmod.tp), TP_ERR_OK);
   EXPECT_TRUE(motmod.cycle_until([&] { return motmod.speed() == 0; }));
+  // Neither where motion that is planned ends nor for a time.
   EXPECT_EQ(motmod.functions.tpIsDone(&motmod.tp), 0);
+  const double held = motmod.pose.tran.x;
+  EXPECT_LT(held, 200);
+  for (int n = 0; n < 500; ++n) motmod.cycle();
+  EXPECT_EQ(motmod.pose.tran.x, held);
 }
 
 TEST(Functions, tpResume) {
