@@ -217,14 +217,15 @@ bool fits_between(const Move& one, const Move& two, double aside) {
     const double turn = std::remainder(std::atan2(b.y - corner.y, b.x - corner.x) - begins, 2 * M_PI);
     for (int k = 0; k <= steps; ++k) {
       const double angle = begins + turn * k / steps;
-      if (!clear({corner.x + radius * std::cos(angle), corner.y + radius * std::sin(angle)}, two, slack)) return false;
+      const Place place{corner.x + radius * std::cos(angle), corner.y + radius * std::sin(angle)};
+      if (!clear(place, one, slack) || !clear(place, two, slack)) return false;
     }
     return true;
   }
   const Place to = beside(two, static_cast<double>(std::max(first, 0)) / steps, aside);
   // Only at an inner corner ends one way before the other begins.
   double near_corner = radius;
-  for (int k = 1; k <= 100; ++k) near_corner = std::min(near_corner, between(beside(one, 1, aside), at(two, k * 1e-4)));
+  for (int k = 1; k <= 100; ++k) near_corner = std::min(near_corner, between(beside(one, 1, aside), at(two, k * 1e-6)));
   if (near_corner > radius - 1e-9) return false;
   constexpr double least = 0.5;  // is left of both
   if (between(from, beside(one, 0, aside)) < least || between(to, beside(two, 1, aside)) < least) return false;

@@ -208,6 +208,12 @@ TEST(CutterCompensation, MayGougeWhereThatIsAllowed) {
   EXPECT_EQ(reading.lines().size(), 11u);
 }
 
+// By the arc round the corner at which the way in ends.
+TEST(CutterCompensation, LooksForGougesOnTheWayIn) {
+  EXPECT_EQ(problems("G41.1 D1.6\nG1 X30 Y0\nX29.508 Y-0.087\nX31.857 Y0.768\nX31.563 Y0.364\nG40 Y70"),
+            "5:1 cutter-gouge; ");
+}
+
 // A cavity with a neck, through which the tool fits or not.
 TEST(CutterCompensation, LooksForGougesBeyondNeighbours) {
   const std::string begin = "G1 X0 Y40\nY30\nY20\nX-10\nY0\nX13\nY20\nX3\nY30\nY40\n", end = "G40 X20";

@@ -62,8 +62,8 @@ void GougeSearch::compare(const Entry& before, const Entry& entry, double radius
     if (cut->is_corner || found_.size() == most_found || !overlap(way.way, cut->contour) || !are_seen(way, *cut))
       continue;
     if (keeps_clear(way.piece, contour, radius)) continue;
-    found_.push_back(
-        {way.number, cut->number, !keeps_clear(way.piece, contour, radius - closing), before.place, entry.place});
+    found_.push_back({way.number, cut->number, !keeps_clear(way.piece, contour, radius - closing),
+                      way.is_corner && way.number == 0, before.place, entry.place});
   }
 }
 
@@ -116,7 +116,6 @@ void GougeSearch::add(const OffsetPiece& piece, double radius, const KeptPlace& 
 }
 
 void GougeSearch::add_corner(const OffsetPiece& corner, double radius, const KeptPlace& place) {
-  if (count_ == 0) return;
   Entry entry{corner, place, count_, true, around(corner.way, 0), around(corner.way, radius)};
   for (const Group& group : groups_) {
     if (!overlap(group.contours, entry.way)) continue;
@@ -127,7 +126,10 @@ void GougeSearch::add_corner(const OffsetPiece& corner, double radius, const Kep
 
 bool GougeSearch::is_gouge(const Gouge& gouge) const {
   const std::size_t low = std::min(gouge.way, gouge.contour), high = std::max(gouge.way, gouge.contour);
-  if (!is_closed_) return high <= low + 1 || (gouge.contour > 0 && gouge.contour + 1 < count_);
+  if (!is_closed_) {
+    const bool is_beside = high <= low + 1 && !gouge.is_on_way_in;
+    return is_beside || (gouge.contour > 0 && gouge.contour + 1 < count_);
+  }
   if (gouge.contour < closed_from_ || gouge.contour > closed_to_) return false;
   const bool is_inside = low >= closed_from_ && high <= closed_to_;
   return gouge.is_deep || (is_inside && (low > closed_from_ || high < closed_to_));

@@ -37,7 +37,7 @@ class GougeSearch {
 
   /// The next piece of the run with its way. radius: mm, > 0, the same all along a run.
   void add(const OffsetPiece& piece, double radius, const KeptPlace& place);
-  /// The arc round the corner behind the piece added last. Before a run's first piece it is passed over.
+  /// The arc round the corner behind the piece added last.
   void add_corner(const OffsetPiece& corner, double radius, const KeptPlace& place);
   /// The run ends: what has been found is told, once a line of the later of both, and everything is forgotten.
   void end_run(const Report& report);
@@ -60,9 +60,10 @@ class GougeSearch {
     PlaneBox ways;
   };
   struct Gouge {
-    std::size_t way = 0;      ///< number of the piece that the tool goes along
-    std::size_t contour = 0;  ///< of the piece that is cut into
-    bool is_deep = false;     ///< by more than programs are rounded
+    std::size_t way = 0;        ///< number of the piece that the tool goes along
+    std::size_t contour = 0;    ///< of the piece that is cut into
+    bool is_deep = false;       ///< by more than programs are rounded
+    bool is_on_way_in = false;  ///< on the arc round the corner before the first piece
     KeptPlace first;
     KeptPlace second;
   };

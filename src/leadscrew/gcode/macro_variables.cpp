@@ -8,7 +8,7 @@ namespace leadscrew::gcode {
 namespace {
 
 // The number of the code in force.
-double whole_number_of(Code code) {
+double decimal_of(Code code) {
   return row(code).tenths / 10.0;
 }
 
@@ -35,9 +35,9 @@ std::optional<double> Predefined::of_macro(int number) const {
   if (is_macro_offset(number)) return parameters_.get(number).value_or(0);
   switch (number) {
     case 4001:
-      return whole_number_of(modal_.motion);
+      return decimal_of(modal_.motion);
     case 4002:
-      return whole_number_of(modal_.plane == Plane::XY ? Code::G17 : modal_.plane == Plane::ZX ? Code::G18 : Code::G19);
+      return decimal_of(plane_code(modal_.plane));
     case 4003:
       return modal_.distance == Distance::absolute ? 90 : 91;
     case 4005:

@@ -32,11 +32,6 @@ double number_of(Code code) {
   return row(code).tenths;
 }
 
-double plane_number(Plane plane) {
-  constexpr Code codes[] = {Code::G17, Code::G18, Code::G19, Code::G17_1, Code::G18_1, Code::G19_1};
-  return number_of(codes[static_cast<std::size_t>(plane)]);
-}
-
 double system_number(int system) {
   if (system > Parameters::numbered_systems) return number_of(Code::G54_1);
   return number_of(static_cast<Code>(index(Code::G54) + static_cast<std::size_t>(system) - 1));
@@ -90,7 +85,7 @@ constexpr PredefinedRow predefined_rows[] = {
     {"_METRIC", [](const Predefined& p) -> double { return p.frame().length_unit == 1; }},
     {"_MIST", [](const Predefined& p) -> double { return p.modal().mist; }},
     {"_MOTION_MODE", [](const Predefined& p) -> double { return number_of(p.modal().motion); }},
-    {"_PLANE", [](const Predefined& p) -> double { return plane_number(p.modal().plane); }},
+    {"_PLANE", [](const Predefined& p) -> double { return number_of(plane_code(p.modal().plane)); }},
     {"_REMAP_LEVEL", always_off},
     {"_RETRACT_OLD_Z", [](const Predefined& p) -> double { return p.modal().retract == Retract::initial_level; }},
     {"_RETRACT_R_PLANE", [](const Predefined& p) -> double { return p.modal().retract == Retract::r_level; }},
@@ -135,6 +130,11 @@ std::optional<Axis> axis_of_number(int number, int first) {
 }
 
 }  // namespace
+
+Code plane_code(Plane plane) {
+  constexpr Code codes[] = {Code::G17, Code::G18, Code::G19, Code::G17_1, Code::G18_1, Code::G19_1};
+  return codes[static_cast<std::size_t>(plane)];
+}
 
 double Predefined::position(base::Axis axis) const {
   if (settle_ && base::is_rotary(axis)) settle_();

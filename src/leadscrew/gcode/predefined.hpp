@@ -10,6 +10,9 @@
 
 namespace leadscrew::gcode {
 
+/// The code that selects this plane.
+Code plane_code(Plane plane);
+
 class Predefined : Part {
  public:
   /// What the context holds must outlive it.
