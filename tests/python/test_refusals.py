@@ -2,6 +2,8 @@
 
 import copy
 import pathlib
+import subprocess
+import sys
 import pickle
 import tempfile
 import unittest
@@ -123,6 +125,22 @@ class Refusals(unittest.TestCase):
         found = leadscrew.check("G2 X5 Y5 I3 F100\nM2\n")
         self.assertEqual(found.diagnostics[0].code, "arc-radius")
         self.assertEqual(leadscrew.check(EXAMPLES / "04-square.ngc").diagnostics, ())
+
+    def test_of_a_study_that_has_no_memory_say_so(self):
+        # In a process of its own, whose memory may not grow; the study runs in another.
+        text = """
+import resource
+import leadscrew
+with open("/proc/self/statm") as file:
+    most = int(file.read().split()[0]) * resource.getpagesize() + 400_000
+resource.setrlimit(resource.RLIMIT_AS, (most, most))
+try:
+    leadscrew.study("limits")
+except RuntimeError as error:
+    print(error, flush=True)
+"""
+        said = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=False)
+        self.assertEqual((said.stdout, said.stderr, said.returncode), ("std::bad_alloc\n", "", 0))
 
     def test_change_nothing(self):
         path = leadscrew.Path().line([10, 0, 0], feed=50)
