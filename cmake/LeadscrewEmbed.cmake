@@ -1,8 +1,9 @@
-# leadscrew_embed(ROOM FILE…): text files of a room's folder as strings of the program. page.css is then
+# leadscrew_embed(TARGET ROOM FILE…): text files as strings of the program. page.css is then
 # `extern const std::string_view page_css` in the room's namespace, byte by byte; the room's headers declare it.
-function(leadscrew_embed ROOM)
-  foreach(name ${ARGN})
-    set(file ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+function(leadscrew_embed TARGET ROOM)
+  foreach(path ${ARGN})
+    cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} OUTPUT_VARIABLE file)
+    cmake_path(GET file FILENAME name)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
     string(MAKE_C_IDENTIFIER ${name} identifier)
     file(READ ${file} text)
@@ -22,6 +23,6 @@ function(leadscrew_embed ROOM)
     if(NOT known STREQUAL source)
       file(WRITE ${output} "${source}")
     endif()
-    target_sources(leadscrew_${ROOM} PRIVATE ${output})
+    target_sources(${TARGET} PRIVATE ${output})
   endforeach()
 endfunction()

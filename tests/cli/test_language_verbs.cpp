@@ -21,6 +21,8 @@ TEST(Explain, KnowsDialectsAndSaysWhatItDoesNotKnow) {
   const auto unknown = leadscrew(folder, {"explain", "G123"});
   EXPECT_EQ(unknown.status, 3);
   EXPECT_TRUE(contains(unknown.errors, "[unknown-code]"));
+  EXPECT_TRUE(contains(leadscrew(folder, {"explain", "cutter-gouge"}).output, "What to do: Use a smaller tool"));
+  EXPECT_EQ(leadscrew(folder, {"explain", "cutter-goug"}).status, 3);
   EXPECT_EQ(leadscrew(folder, {"explain"}).status, 2);
 }
 

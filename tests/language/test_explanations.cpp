@@ -4,6 +4,7 @@
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/language/code_page.hpp>
 #include <leadscrew/language/code_words.hpp>
+#include <leadscrew/language/diagnostic_text.hpp>
 #include <leadscrew/language/explanation.hpp>
 #include <sstream>
 
@@ -49,6 +50,36 @@ TEST(Examples, AreReadWhereTheirCodeIs) {
       EXPECT_NE(errors, "") << example_of(row.code) << " is read: its row says otherwise";
     }
   }
+}
+
+TEST(Explanations, TellEveryDiagnostic) {
+  const std::vector<std::string_view> codes = diagnostic_codes();
+  EXPECT_GT(codes.size(), 200u);
+  for (const std::string_view code : codes) {
+    EXPECT_TRUE(looks_like_diagnostic(code) || code.find('-') == std::string_view::npos) << code;
+    const auto text = explanation(code, Dialect::leadscrew);
+    ASSERT_TRUE(text) << code;
+    EXPECT_TRUE(text->starts_with(std::string(code) + "\n        ")) << *text;
+    EXPECT_NE(text->find("        What to do: "), std::string::npos) << *text;
+  }
+}
+
+TEST(Explanations, OfADiagnosticHaveItsExample) {
+  EXPECT_EQ(
+      *explanation("zero-radius", Dialect::leadscrew),
+      "zero-radius\n        an arc of pulses starts at its centre, or a semi-axis of its ellipse is not more than 0\n"
+      "        What to do: a centre away from the start; a semi-axis of 1 or more\n");
+  const std::string text = *explanation("bad-checksum", Dialect::leadscrew);
+  EXPECT_TRUE(text.ends_with("\nsuch as N1 G0 X1*7\n")) << text;
+}
+
+TEST(Explanations, OfNoDiagnosticSayWhichWasMeant) {
+  const auto none = explanation("arc-radus", Dialect::leadscrew);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, "unknown-code");
+  EXPECT_NE(none.error().message.find("did you mean arc-radius?"), std::string::npos);
+  EXPECT_FALSE(looks_like_diagnostic("G1X-5"));
+  EXPECT_FALSE(looks_like_diagnostic("x1-"));
 }
 
 TEST(Examples, HoldTheirCode) {

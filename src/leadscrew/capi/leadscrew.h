@@ -208,7 +208,7 @@ LEADSCREW_API void leadscrew_machine_free(leadscrew_machine* machine);
 LEADSCREW_API int leadscrew_program_check(const leadscrew_machine* machine, const char* text, size_t length,
                                           const leadscrew_options* options, leadscrew_checked* checked,
                                           leadscrew_error* error);
-/** What a block means, or a code alone, in the dialect of the machine's programs: writes at most `length` bytes, the last
+/** What a block means, a code alone, in the dialect of the machine's programs, or a diagnostic by its code: writes at most `length` bytes, the last
  * one 0, and returns how many all of it has, without that. 0 where nothing of it is known. */
 LEADSCREW_API size_t leadscrew_explain(const leadscrew_machine* machine, const char* block, char* text, size_t length);
 

@@ -15,6 +15,7 @@ constexpr std::string_view explain_examples =
     "  leadscrew explain G64\n"
     "  leadscrew explain \"G41.1 D3 L2\"\n"
     "  leadscrew explain G76 --dialect fanuc\n"
+    "  leadscrew explain cutter-gouge\n"
     "  leadscrew explain --page > docs/gcode.md\n";
 
 constexpr std::string_view format_examples =
@@ -29,7 +30,7 @@ gcode::Dialect dialect_of(const Arguments& arguments) {
 }  // namespace
 
 void describe_explain(Command& command, Arguments& arguments) {
-  command.optional_word("BLOCK", "A block in quotes, or a code alone", arguments.explained);
+  command.optional_word("BLOCK", "A block in quotes, a code alone, or a diagnostic's", arguments.explained);
   add_dialect(command, arguments);
   command.flag("--page", "Every code, as the page docs/gcode.md, in place of a block", arguments.explain_page);
   command.help(std::string(explain_examples));

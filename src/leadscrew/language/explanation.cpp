@@ -3,8 +3,10 @@
 #include <fast_float/fast_float.h>
 
 #include <cmath>
+#include <leadscrew/base/nearest.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/language/code_words.hpp>
+#include <leadscrew/language/diagnostic_text.hpp>
 #include <leadscrew/language/explanation.hpp>
 #include <leadscrew/language/tokens.hpp>
 #include <optional>
@@ -189,6 +191,12 @@ class Explanation {
 }  // namespace
 
 base::Result<std::string> explanation(std::string_view block, Dialect dialect) {
+  if (auto text = diagnostic_text(block)) return *text;
+  if (looks_like_diagnostic(block))
+    return base::failure(base::problem(
+        "unknown-code",
+        fmt::format("no diagnostic has the code {}{}", block, base::did_you_mean(block, diagnostic_codes())),
+        "docs/diagnostics.md lists all"));
   return Explanation(block, dialect).text();
 }
 
