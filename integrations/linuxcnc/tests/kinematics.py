@@ -6,13 +6,14 @@ lineardeltakins) the limits of the world are kept. No period takes the servo thr
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
 import simulator
-from spindle import errors
+from spindle import PASSES, Turns, errors
 
 sys.path.insert(0, str(simulator.SCREEN.parent))
 from record_to_trace import write_trace  # noqa: E402
@@ -33,20 +34,20 @@ JOBS = {
 # Along Z of the part on a table that is tilted and turned, from Z5 on, after a way of 5 mm that tells where it leads.
 THREAD = "G21 G90 G17 G94\nM3 S{speed}\nG0 X10 Y-5 Z{far} A25 C40\nG4 P0.4\nG0 Z{top}\nG4 P1\n{thread}\nM5\nM2\n"
 THREADS = {
-    "thread": {"speed": 600, "top": 5, "lead": 1, "thread": "G33 Z-15 K1", "end": -14, "least": 1200},
-    "fast-thread": {"speed": 1200, "top": 40, "lead": 1.5, "run_in": 5, "thread": "G33 Z-20 K1.5", "end": -14, "least": 800},
-    "cycle": {"speed": 600, "top": 5, "lead": 1, "thread": "G18 G76 P1 Z-8 I-1 J0.2 K0.6 R1 Q0 H0 E0 L0", "end": -7, "least": 2000},
-    "tap": {"speed": 600, "top": 5, "lead": 1, "thread": "G33.1 Z-8 K1", "end": -10, "least": 1200},
-    "turning": {"speed": 600, "top": 5, "lead": 1, "thread": "G33 Z-15 C50 K1", "end": -14, "least": 0},
+    "thread": {"speed": 600, "top": 5, "lead": 1, "thread": "G33 Z-15 K1", "end": -14},
+    "fast-thread": {"speed": 1200, "top": 40, "lead": 1.5, "run_in": 5, "thread": "G33 Z-20 K1.5", "end": -14},
+    "cycle": {"speed": 600, "top": 5, "lead": 1, "thread": "G18 G76 P1 Z-8 I-1 J0.2 K0.6 R1 Q0 H0 E0 L0", "end": -7, "ways": PASSES},
+    "tap": {"speed": 600, "top": 5, "lead": 1, "thread": "G33.1 Z-8 K1", "end": -10, "ways": 2},
+    "turning": {"speed": 600, "top": 5, "lead": 1, "thread": "G33 Z-15 C50 K1", "end": -14},
 }
 
 
 def with_spindle(text):
-    """The machine with the spindle of spindle.hal, and the sampler takes down its turns."""
+    """The machine with the spindle of spindle.hal, and the sampler takes down what this one's does."""
     spindle = [line for line in (simulator.HERE / "spindle.hal").read_text().splitlines()
-               if any(word in line for word in ("spindle", "siggen", "wander", "revolutions", "index")) and "names=x-nm" not in line]
-    text = text.replace("a-nd,c-nd", "a-nd,c-nd,spindle-rps").replace("cfg=fffff", "cfg=ffffff")
-    return text.replace("addf sampler.0", "\n".join(spindle).replace("sampler.0.pin.3", "sampler.0.pin.5") + "\naddf sampler.0")
+               if any(word in line for word in ("spindle", "siggen", "wander", "revolutions", "index", "net thread")) and "names=x-nm" not in line]
+    text = text.replace("a-nd,c-nd", "a-nd,c-nd,spindle-rps").replace("cfg=fffff", "cfg=ffffffss")
+    return text.replace("addf sampler.0", re.sub("sampler.0.pin.(.)", lambda pin: f"sampler.0.pin.{int(pin[1]) + 2}", "\n".join(spindle)) + "\naddf sampler.0")
 
 
 def rests(places):
@@ -211,10 +212,11 @@ class OnATrunnion(unittest.TestCase):
                 thread, (_, far, near, *_) = THREADS[name], rests(places)
                 way = [b - a for a, b in zip(far[:3], near[:3])]
                 depths = [thread["top"] - sum((q - p) * w for p, q, w in zip(near, place, way)) / 5 for place in places]
-                found = errors(depths, [row[5] for row in rows], thread["top"], thread["top"] - thread.get("run_in", 1.3), thread["end"],
-                               thread["lead"])
-                print(name, len(found), "periods", f"{1e3 * max(found):.2f} µm", worst)
-                self.assertGreater(len(found), thread["least"])
+                top, end, ways = thread["top"] - thread.get("run_in", 1.3), max(thread["end"], min(depths)), thread.get("ways", 1)
+                turns = Turns(text, jobs[name]["program"], axes=5)
+                found, travel = errors(depths, turns, thread["top"], top, end, thread["lead"])
+                print(name, len(found), "periods", f"{travel:.3f} mm {1e3 * max(found):.2f} µm", worst)
+                self.assertAlmostEqual(travel, ways * (top - end), delta=0.03 * ways)
                 self.assertLess(max(found), 0.01)
 
     def test_a_tools_length_counts(self):

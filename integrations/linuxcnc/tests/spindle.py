@@ -19,15 +19,31 @@ JOBS = {
 }
 
 
-def errors(places, revolutions, top, start, end, lead=1):
-    """Of places along a thread that begins at `top` against the spindle, mm, between two of them; by the words that belong
-    together: motmod's filter tells positions two periods late. Where rapids cross them it is no thread."""
-    found = []
-    for place, after, turns, turns_after in zip(places[2:], places[3:], revolutions, revolutions[1:]):
-        is_thread = abs(after - place) < 1.5 * lead * abs(turns_after - turns) + 0.005
-        if is_thread and start > place > end and abs(top - lead * turns - place) < 1:
-            found.append(abs(top - lead * turns - place))
-    return found
+TRAVERSE = 1  # of motion.motion-type
+PASSES = 3  # of that cycle
+
+
+class Turns:
+    """What spindle.hal's sampler takes down behind so many axes, a period each: the spindle's revolutions, and whether the move is
+    one of the program's threads: of a line with G33, G76 or G33.1, and no rapid between them."""
+
+    def __init__(self, text, program, axes=3):
+        lines = {number for number, line in enumerate(program.splitlines(), 1) if "G33" in line or "G76" in line}
+        rows = [row.split()[1 + axes:] for row in text.splitlines() if row.strip() != "overrun"]
+        self.revolutions = [float(row[0]) for row in rows]
+        self.are_threads = [int(row[1]) in lines and int(row[2]) != TRAVERSE for row in rows]
+
+
+def errors(places, turns, top, start, end, lead=1):
+    """Of each period of threads from `top` on, in which they are between `start` and `end`: the distance from the spindle's own place,
+    mm; and how far it has turned the axis in these periods, forth and back, mm. By the words that belong together: motmod's filter
+    tells positions two periods late."""
+    found, travel = [], 0
+    for i, place in enumerate(places[2:]):
+        if turns.are_threads[i] and start > place > end:
+            found.append(abs(top - lead * turns.revolutions[i] - place))
+            travel += lead * abs(turns.revolutions[i] - turns.revolutions[i - 1])
+    return found, travel
 
 
 class Spindle(unittest.TestCase):
@@ -37,7 +53,7 @@ class Spindle(unittest.TestCase):
         cls.results, cls.log = simulator.play(module, "leadscrew_tp jerk=20000", jobs, hal="spindle.hal")
 
     def record(self, name):
-        """The record within limits, and revolutions."""
+        """The record within limits, and the spindle's turns."""
         if name not in self.results:
             self.skipTest("not asked for")
         text, complaint, self.end = self.results[name]
@@ -45,30 +61,30 @@ class Spindle(unittest.TestCase):
         record = Record(text, outputs=False)
         for order, limit in ((1, VELOCITY), (2, ACCELERATION), (3, JERK)):
             self.assertLessEqual(record.differences(order), 1.001 * limit, f"order {order}")
-        return record, [float(line.split()[4]) for line in text.splitlines() if line != "overrun"]
+        return record, Turns(text, JOBS[name]["program"])
 
-    def is_in_step(self, record, revolutions, top, end, least):
-        """Behind a run-in of 1.3 mm, within P of 0.01 mm, for so many periods at least."""
-        found = errors([place[2] for place in record.places], revolutions, top, top - 1.3, end)
-        print(f"{len(found)} periods, {1e3 * max(found):.2f} µm at most")
-        self.assertGreater(len(found), least)
+    def is_in_step(self, record, turns, top, end, ways=1):
+        """Behind a run-in of 1.3 mm, within P of 0.01 mm, in each period of so many ways to `end`, or as deep as it goes."""
+        depths = [place[2] for place in record.places]
+        found, travel = errors(depths, turns, top, top - 1.3, end)
+        print(f"{len(found)} periods, {travel:.3f} mm, {1e3 * max(found):.2f} µm at most")
+        self.assertAlmostEqual(travel, ways * (top - 1.3 - max(end, min(depths))), delta=0.03 * ways)
         self.assertLess(max(found), 0.01)
 
     def test_thread_is_in_step_behind_its_run_in(self):
-        record, revolutions = self.record("thread")
-        self.is_in_step(record, revolutions, 10, -9, 1000)
+        self.is_in_step(*self.record("thread"), 10, -9)
 
     def test_threads_one_behind_the_other(self):
-        record, revolutions = self.record("two-threads")
-        self.is_in_step(record, revolutions, 10, 0.5, 500)
+        record, turns = self.record("two-threads")
+        self.is_in_step(record, turns, 10, 0.5)
         self.assertLess(min(place[2] for place in record.places), -9.999)
 
     def test_cycle_of_threading(self):
-        self.is_in_step(*self.record("cycle"), 5, -7, 2000)
+        self.is_in_step(*self.record("cycle"), 5, -7, ways=PASSES)
 
     def test_tap_comes_back_to_where_it_began(self):
-        record, revolutions = self.record("tap")
-        self.is_in_step(record, revolutions, 5, -10, 2000)
+        record, turns = self.record("tap")
+        self.is_in_step(record, turns, 5, -10, ways=2)
         self.assertLess(min(place[2] for place in record.places), -8)
         self.assertTrue(any(place[2] == 5 for place in record.places[-1000:]))
 
