@@ -22,12 +22,12 @@ void kinematics_find(void) {
   inverse = (__typeof__(inverse))dlsym(RTLD_DEFAULT, "kinematicsInverse");
 }
 
-/* Pose n, spread over 200 mm and 180 degrees of each axis of the machine. */
-static void pose_at(int n, unsigned axes, double pose[leadscrew_tp_axes]) {
-  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) {
-    const double share = fmod((n + 1) * sqrt(axis + 2.), 1) - 0.5;
-    pose[axis] = axes >> axis & 1 ? share * (axis >= 3 && axis < 6 ? 180 : 200) : 0;
-  }
+/* Pose n, spread over the travel of each axis of the machine's file. */
+static void pose_at(int n, double tool, double pose[leadscrew_tp_axes]) {
+  static const int primes[leadscrew_tp_axes] = {2, 3, 5, 7, 11, 13, 17, 19, 23}; /* no root of which is whole */
+  double shares[leadscrew_tp_axes];
+  for (int axis = 0; axis < leadscrew_tp_axes; ++axis) shares[axis] = fmod((n + 1) * sqrt(primes[axis]), 1);
+  leadscrew_tp_pose_in_travel(leadscrew_state.planning, shares, tool, pose);
 }
 
 static int agree_at(const double place[leadscrew_tp_axes], unsigned axes, double tool) {
@@ -37,7 +37,14 @@ static int agree_at(const double place[leadscrew_tp_axes], unsigned axes, double
   EmcPose pose;
   pose_of(place, &pose);
   leadscrew_tp_axes_of(leadscrew_state.planning, place, tool, own);
-  if (inverse(&pose, joints, &inverse_flags, &forward_flags) != 0) return 0;
+  if (inverse(&pose, joints, &inverse_flags, &forward_flags) != 0) {
+    rtapi_print_msg(
+        RTAPI_MSG_ERR,
+        "leadscrew_tp: their kinematics module has no joints for X%g Y%g Z%g A%g B%g C%g, which lies inside the "
+        "travel of the machine's file; make pins and file the same\n",
+        place[0], place[1], place[2], place[3], place[4], place[5]);
+    return 0;
+  }
   for (int axis = 0, joint = 0; axis < leadscrew_tp_axes; ++axis) {
     if (!(axes >> axis & 1)) continue;
     const double theirs = joints[joint] * (axis >= 3 && axis < 6 ? 1 : leadscrew_state.mm);
@@ -66,7 +73,7 @@ enum agreement kinematics_compare(void) {
     return agreement_broken;
   }
   double pose[leadscrew_tp_axes];
-  pose_at(compared, axes, pose);
+  pose_at(compared, leadscrew_state.limits.tool, pose);
   if (!agree_at(pose, axes, leadscrew_state.limits.tool)) return agreement_broken;
   return ++compared == poses ? agreement_found : agreement_unknown;
 }

@@ -9,7 +9,7 @@ enum agreement {
   agreement_found,   /* at all, or there is no file */
   agreement_broken,  /* they do not, which was told */
 };
-/* They are to be compared anew, at 20 poses, for pins may have changed. */
+/* They are to be compared anew, at 20 poses inside the travel of the file's axes, for pins may have changed. */
 void kinematics_doubt(void);
 /* In a cycle: compares them at one pose, where they are in doubt. The joints are the file's axes in the order X Y Z A B C U V W. */
 enum agreement kinematics_compare(void);

@@ -70,6 +70,19 @@ void leadscrew_tp_axes_of(const leadscrew_tp* tp, const double pose[leadscrew_tp
   std::copy(found.begin(), found.end(), axes);
 }
 
+void leadscrew_tp_pose_in_travel(const leadscrew_tp* tp, const double shares[leadscrew_tp_axes], double tool,
+                                 double pose[leadscrew_tp_axes]) {
+  Position axes{};
+  for (const leadscrew::base::Axis axis : leadscrew::base::all_axes) {
+    const std::size_t i = leadscrew::base::index(axis);
+    if (!tp->kinematics.machine() || !tp->kinematics.machine()->has(axis)) continue;
+    const leadscrew::machine::AxisLimits& limits = *tp->kinematics.machine()->axes[i];
+    axes[i] = limits.travel_min + shares[i] * (limits.travel_max - limits.travel_min);
+  }
+  const Position found = tp->kinematics.pose_of(axes, tool);
+  std::copy(found.begin(), found.end(), pose);
+}
+
 unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp) {
   unsigned axes = 0;
   if (!tp->kinematics.machine()) return axes;

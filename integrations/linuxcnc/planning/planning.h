@@ -93,6 +93,10 @@ typedef struct leadscrew_tp leadscrew_tp;
 /** Any thread's: where the axes are at a pose, with a tool so long, mm and degrees. */
 void leadscrew_tp_axes_of(const leadscrew_tp* tp, const double pose[leadscrew_tp_axes], double tool,
                           double axes[leadscrew_tp_axes]);
+/** Any thread's: the pose, with a tool so long, mm, of the machine's file at which each of its axes stands at this share, 0 … 1, of
+ * its travel; 0 of axes that are not there. Without such a file all are 0. */
+void leadscrew_tp_pose_in_travel(const leadscrew_tp* tp, const double shares[leadscrew_tp_axes], double tool,
+                                 double pose[leadscrew_tp_axes]);
 /** Any thread's: which axes there are by the machine's file, as bits from X, 1; 0 without such a file. */
 unsigned leadscrew_tp_machine_axes(const leadscrew_tp* tp);
 /** Any thread's: the limits in force where these are asked for: with a machine's file those of its axes, with no more jerk than

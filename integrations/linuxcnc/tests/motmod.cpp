@@ -1,14 +1,49 @@
 /* SPDX-License-Identifier: GPL-2.0-only */
 #include "motmod.hpp"
 
+#include <gtest/gtest.h>
+
 #include <cstdarg>
 #include <cstdio>
+
+#include "forbidden_calls.hpp"
 
 extern "C" {
 #include "hal.h"
 #include "rtapi.h"
 extern void* rtapi_info_address_jerk;
 }
+
+using leadscrew::testing_support::watch;
+
+namespace {
+
+/// What a call in the servo thread may not call is seen.
+class InTheServoThread {
+ public:
+  InTheServoThread() { watch().armed = true; }
+  ~InTheServoThread() {
+    watch().armed = false;
+    EXPECT_EQ(watch().calls, 0) << told(watch());
+    watch().calls = 0;
+  }
+  InTheServoThread(const InTheServoThread&) = delete;
+  InTheServoThread& operator=(const InTheServoThread&) = delete;
+};
+
+/// What LinuxCNC does for the module there is not the module's.
+class OutsideOfTheModule {
+ public:
+  OutsideOfTheModule() { watch().armed = false; }
+  ~OutsideOfTheModule() { watch().armed = was_armed_; }
+  OutsideOfTheModule(const OutsideOfTheModule&) = delete;
+  OutsideOfTheModule& operator=(const OutsideOfTheModule&) = delete;
+
+ private:
+  const bool was_armed_ = watch().armed;
+};
+
+}  // namespace
 
 Motmod* Motmod::current = nullptr;
 std::map<std::string, volatile double*> Motmod::pins;
@@ -45,6 +80,7 @@ int hal_pin_s32_newf(hal_pin_dir_t, hal_s32_t** pin, int, const char*, ...) {
   return 0;
 }
 void rtapi_print_msg(msg_level_t, const char* format, ...) {
+  const OutsideOfTheModule outside;
   va_list words;
   va_start(words, format);
   std::vprintf(format, words);
@@ -57,9 +93,11 @@ namespace {
 char jerk[] = "20000";
 
 void write_digital(int index, char on) {
+  const OutsideOfTheModule outside;
   Motmod::current->digital.emplace_back(index, on);
 }
 void write_analog(int index, double value) {
+  const OutsideOfTheModule outside;
   Motmod::current->analog.emplace_back(index, value);
 }
 void unlock(int joint, int on) {
@@ -109,10 +147,12 @@ Motmod::Motmod() {
 int Motmod::line(double x, double y, double z, double speed) {
   EmcPose end = pose;
   end.tran = {x, y, z};
+  const InTheServoThread here;
   return functions.tpAddLine(&tp, end, EMC_MOTION_TYPE_FEED, speed, 400, 1000, 0, 0, -1, tag);
 }
 
 int Motmod::circle(double x, PmCartesian normal) {
+  const InTheServoThread here;
   return functions.tpAddCircle(&tp, tp.goalPos, {x, 0, 0}, normal, 0, EMC_MOTION_TYPE_ARC, 50, 400, 1000, 0, 0, tag);
 }
 
@@ -127,8 +167,11 @@ void Motmod::cycle() {
     spindle.spindle_index_enable = 0;
     spindle.spindleRevs = 0;
   }
-  functions.tpRunCycle(&tp, std::lround(seconds * 1e9));
-  functions.tpGetPos(&tp, &pose);
+  {
+    const InTheServoThread here;
+    functions.tpRunCycle(&tp, std::lround(seconds * 1e9));
+    functions.tpGetPos(&tp, &pose);
+  }
   places.push_back({pose.tran.x, pose.tran.y, pose.tran.z});
   std::this_thread::sleep_for(std::chrono::microseconds(500));
 }
