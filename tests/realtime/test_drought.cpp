@@ -6,6 +6,7 @@
 #include <leadscrew/host/moves.hpp>
 #include <leadscrew/realtime/feeder.hpp>
 #include <leadscrew/realtime/move_runner.hpp>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -51,6 +52,11 @@ class SlowWriter {
     planning_.quiet_to_begin = quiet;
     planning_.enough_to_begin = enough;
   }
+  /// realtime::Planning::took; in simulated time planning takes none.
+  void say_planning_takes(double seconds) {
+    planning_.took = [seconds] { return seconds; };
+  }
+  double look_ahead() const { return feeder_.look_ahead(); }
 
  private:
   void take_in() {
@@ -159,6 +165,27 @@ TEST(Drought, BeginsByWhatItsPlanningSays) {
   patient.begin_by(0.3, 2);
   patient.run(10);
   EXPECT_NEAR(static_cast<double>(motions_of(patient.words).at(0).first), 350, 3);
+}
+
+/// How far ahead it looks a tenth of a second behind the beginning of motion, s, of which 0.2 s were planned before.
+double look_ahead_at_first(std::optional<double> took) {
+  Lines lines(100, 0);
+  SlowWriter writer(lines.coming, true);
+  writer.begin_by(0.1, 0.2);
+  if (took) writer.say_planning_takes(*took);
+  writer.run(0.1);
+  EXPECT_EQ(motions_of(writer.words).size(), 1U);
+  const double found = writer.look_ahead();
+  writer.run(60);
+  EXPECT_EQ(writer.stop_tails(), 0);
+  return found;
+}
+
+TEST(Drought, LooksAheadFromTheFirstByWhatPlanningTook) {
+  EXPECT_EQ(look_ahead_at_first({}), 0.3);
+  EXPECT_EQ(look_ahead_at_first(0.001), 0.02);
+  EXPECT_NEAR(look_ahead_at_first(0.1), 0.16, 1e-12);
+  EXPECT_EQ(look_ahead_at_first(1), 0.3);
 }
 
 TEST(Drought, OfOneMoveIsOverInATenthOfASecond) {

@@ -11,8 +11,8 @@ namespace leadscrew::linuxcnc {
 
 namespace {
 
-constexpr std::size_t chunks = 256;     // some seconds at least, after chunks that were late
-constexpr double far_ahead = 5;         // times the options' `ahead`: at first and after chunks that were late
+constexpr std::size_t chunks = 256;  // some seconds at least, after chunks that were late
+constexpr double far_ahead = 5;  // times the options' `ahead`: before motion begins, and after chunks that were late
 constexpr double enough_to_begin = 2;   // s, at the moves' speeds
 constexpr double short_slice = 0.01;    // s, where the feeder asks for no other
 constexpr double least_change = 0.005;  // of the factor: adaptive feed trembles
@@ -138,7 +138,13 @@ Engine::Engine(machine::Machine machine, const Kinematics& kinematics, const Pos
 }
 
 realtime::Planning Engine::planning() {
-  return {.next = [this] { return source_.next(); },
+  return {.next =
+              [this] {
+                const std::int64_t began = realtime::now();
+                auto chunk = source_.next();
+                took_ = 1e-9 * static_cast<double>(realtime::now() - began);
+                return chunk;
+              },
           .refuse = [this] { source_.planner().refuse(); },
           .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
           .slice = [this](double seconds) { source_.planner().slice(seconds); },
@@ -148,6 +154,7 @@ realtime::Planning Engine::planning() {
           },
           .end_for_now = [this] { end_for_now(); },
           .come_to_rest = [this] { source_.planner().come_to_rest(); },
+          .took = [this] { return took_; },
           .quiet_to_begin = options_.quiet,
           .enough_to_begin = far_ahead* options_.ahead};
 }

@@ -89,6 +89,7 @@ class Engine {
   bool has_begun_ = false;      ///< to plan what is open
   double waiting_ = 0;          ///< s that the moves take at their speeds which are open and were not begun
   std::int64_t last_came_ = 0;  ///< ns
+  double took_ = 0;             ///< s, to plan the last chunk
 };
 
 }  // namespace leadscrew::linuxcnc

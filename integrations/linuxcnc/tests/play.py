@@ -84,6 +84,13 @@ def act(what, value):
         command.state(linuxcnc.STATE_OFF)
     elif what == "pin":
         hal("setp", *value)
+    elif what == "signal":
+        hal("sets", *value)
+    elif what == "motion":
+        wait_until(polled(lambda: status.current_vel > 0), "motion", PATIENCE)
+        time.sleep(value)
+    elif what == "wait":
+        time.sleep(value)
     elif what == "mdi":
         mdi(value)
     elif what == "rest":

@@ -82,6 +82,7 @@ bool Feeder::take_next() {
     after_ = std::move(chunk);
     return has_ended_ = true;
   }
+  if (planning_.took && !held_.empty() && !in_motion_) look_ahead_.planned_at_rest(planning_.took());
   held_seconds_ += chunk->duration.value();
   has_ended_ = chunk->stop_tail.empty() || held_.size() + 2 >= controller_.capacity() / 2;
   held_.push_back(std::move(*chunk));
@@ -100,6 +101,7 @@ bool Feeder::hand_over() {
       accepted_ += count;
       in_motion_ = ends_in_motion;
       since_late_ += held_seconds_;
+      if (!goes_on) look_ahead_.begins();
       if (goes_on && ahead_before_) look_ahead_.accepted(held_seconds_, *ahead_before_, ahead_after);
       break;
     case Offer::late:

@@ -55,6 +55,9 @@ struct Planning {
   /// Is motion held? A program may not let override_feed(0) hold it (M53), or come to where it does. Absent: it is by
   /// override_feed(0).
   std::function<bool()> is_held = {};
+  /// s ≥ 0 that the last next() has taken, by a clock: what is planned before motion begins then tells how far ahead is enough.
+  /// Absent: it begins as far as it may be.
+  std::function<double()> took = {};
   /// s ≥ 0 for which no move has come, at rest, until motion begins along those there are. Goes with `drought`.
   double quiet_to_begin = 0.1;
   /// s ≥ 0 of motion that are planned before any of it begins, and handed over together, unless it is quiet before. Goes with

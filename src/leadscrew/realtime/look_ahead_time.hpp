@@ -1,6 +1,7 @@
 #pragma once
 // How far ahead of the cycle motion is planned. What has been planned delays a change of the feed; what has not been
-// makes a planner late. So it is far at first, and nearer where the planner has long been in time:
+// makes a planner late. So it is far at first, and nearer where the planner has long been in time, or where what it took to plan
+// the beginning, at rest, says that less is enough:
 //
 //   s ahead  ───┐                    ┌───┐        a drain: what the cycle began while a chunk was planned
 //               └──┐                 │   └──┐
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace leadscrew::realtime {
 
@@ -22,6 +24,15 @@ class LookAheadTime {
   /// s of motion that is to be planned and not begun.
   double seconds() const { return ahead_; }
 
+  /// While motion waits at rest to begin: a chunk that goes on in it took so many seconds to plan.
+  void planned_at_rest(double seconds) {
+    drains_[stretch_ % drains_.size()] = std::max(drains_[stretch_ % drains_.size()], seconds);
+    knows_drain_ = true;
+  }
+  /// Motion begins with what was planned at rest. Where one was late not long ago it stays as far as it was.
+  void begins() {
+    if (std::exchange(knows_drain_, false) && since_ >= 0) ahead_ = std::clamp(enough(), least_, greatest_);
+  }
   /// A chunk of so many seconds was accepted, that goes on in motion: so much was planned and not begun when it was
   /// asked for, and when it had been planned.
   void accepted(double duration, double ahead_before, double ahead_after) {
@@ -58,9 +69,10 @@ class LookAheadTime {
   double least_, greatest_, ahead_;
   std::array<double, 8> drains_{};  ///< the greatest of the last stretches, s
   std::size_t stretch_ = 0;
-  double since_ = 0;     ///< s of motion in this stretch
-  double caution_ = 10;  ///< s of motion
-  double lateness_ = 0;  ///< s, the greatest
+  double since_ = 0;          ///< s of motion in this stretch
+  double caution_ = 10;       ///< s of motion
+  bool knows_drain_ = false;  ///< of what was planned at rest
+  double lateness_ = 0;       ///< s, the greatest
 };
 
 }  // namespace leadscrew::realtime
