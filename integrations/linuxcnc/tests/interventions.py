@@ -34,18 +34,23 @@ class Record:
             worst = max(worst, max(map(abs, values), default=0))
         return worst
 
-    def planned(self):
-        """Its pieces outside of jogs, which motmod plans itself (its pin teleop-mode in the last column), no word missing in any."""
-        pieces, last = [], None
-        for number, place, is_jog in zip(self.numbers, self.places, self.jogs):
-            if is_jog:
-                continue
-            if number - 1 != last:
-                pieces.append(Record(""))
-            last = number
-            pieces[-1].numbers.append(number)
-            pieces[-1].places.append(place)
-        return pieces
+    def beyond_limits(self):
+        """What is greater than its limit, of the whole record: velocity and acceleration of every word, jerk of all but those in whose
+        reach a jog moves (pin motion.teleop-mode in the last column), which motmod plans itself without such a limit. Where words were
+        lost there is none to judge."""
+        moves_by_jog = [is_jog and i > 0 and self.places[i] != self.places[i - 1] for i, is_jog in enumerate(self.jogs)]
+        for order, limit in ((1, VELOCITY), (2, ACCELERATION), (3, JERK)):
+            reach = [range(i - order, i + 1) for i in range(order, len(self.places)) if self.numbers[i] - self.numbers[i - order] == order]
+            if order == 3:
+                reach = [words for words in reach if not any(moves_by_jog[words[0]:words[-1] + 1])]
+            for axis in range(3):
+                for words in reach:
+                    values = [self.places[i][axis] for i in words]
+                    while len(values) > 1:
+                        values = [(b - a) * 1000 for a, b in zip(values, values[1:])]
+                    if abs(values[0]) > 1.001 * limit:
+                        return f"difference {order} of {'XYZ'[axis]} at word {words[-1]}: {values[0]:.1f}"
+        return ""
 
     def speed(self, second):
         """Along the path, at that time of the record, mm/s."""

@@ -87,12 +87,15 @@ class Program:
         return self.line(spread(self.draw, 0.001, 60))
 
     def curve(self):
-        """Many short lines along a curve, of one feed; a stop at each end of a thousand would take minutes."""
+        """Many short lines along a curve, of one feed; fewer where a stop at each end would take more than 20 s."""
         count, step = self.draw.randint(50, 1500), spread(self.draw, 0.005, 1)
         feed = round(max(spread(self.draw, 100, 12000), count * step / 8 * 60), 1)
         self.seconds += count * step / feed * 60
         heading, bend = self.draw.uniform(-math.pi, math.pi), spread(self.draw, 0.001, 0.3)
         found = ["G64 P0.01"] * (count > 100 and self.draw.random() < 0.5) or ["G61"] * (count > 100)
+        from_rest_to_rest = (32 * step / JERK) ** (1 / 3)  # s
+        if found == ["G61"]:
+            count = min(count, int(20 / from_rest_to_rest))
         for n in range(count):
             heading += self.draw.uniform(-bend, bend)
             if math.hypot(*self.place) > REACH:
@@ -228,10 +231,8 @@ def complaint_of(result, end):
     record_text, said, ended = result
     if said:
         return said
-    for piece in Record(record_text).planned():
-        for order, limit in ((1, VELOCITY), (2, ACCELERATION), (3, JERK)):
-            if piece.differences(order) > 1.001 * limit:
-                return f"difference {order}: {piece.differences(order):.1f}"
+    if beyond := Record(record_text).beyond_limits():
+        return beyond
     if max(abs(a - b) for a, b in zip(ended["position"], end)) > 1e-9:
         return f"ended at {ended['position'][:3]}, not at {end}"
     return ""
