@@ -223,4 +223,35 @@ TEST(Layout, OfHolds) {
   EXPECT_EQ(offsetof(leadscrew_hold, axis), 12U);
 }
 
+TEST(Layout, OfJudgements) {
+  EXPECT_EQ(sizeof(leadscrew_judged), 40U);
+  EXPECT_EQ(offsetof(leadscrew_judged, distance), 8U);
+  EXPECT_EQ(offsetof(leadscrew_judged, tolerance), 16U);
+  EXPECT_EQ(offsetof(leadscrew_judged, line), 24U);
+  EXPECT_EQ(offsetof(leadscrew_judged, file), 32U);
+  EXPECT_EQ(offsetof(leadscrew_judged, visit), 36U);
+  EXPECT_EQ(sizeof(leadscrew_verdict), 48U);
+  EXPECT_EQ(offsetof(leadscrew_verdict, deviation), 8U);
+  EXPECT_EQ(offsetof(leadscrew_verdict, tolerance), 16U);
+  EXPECT_EQ(offsetof(leadscrew_verdict, start_error), 24U);
+  EXPECT_EQ(offsetof(leadscrew_verdict, end_error), 32U);
+  EXPECT_EQ(offsetof(leadscrew_verdict, objections), 40U);
+}
+
+TEST(Layout, OfModes) {
+  EXPECT_EQ(sizeof(leadscrew_modes), 256U);
+  EXPECT_EQ(offsetof(leadscrew_modes, line), 8U);
+  EXPECT_EQ(offsetof(leadscrew_modes, file), 16U);
+  EXPECT_EQ(offsetof(leadscrew_modes, visit), 20U);
+  EXPECT_EQ(offsetof(leadscrew_modes, block), 24U);
+  EXPECT_EQ(offsetof(leadscrew_modes, motion), 32U);
+  EXPECT_EQ(offsetof(leadscrew_modes, coolant), 120U);
+  EXPECT_EQ(offsetof(leadscrew_modes, system), 128U);
+  EXPECT_EQ(offsetof(leadscrew_modes, tolerance), 144U);
+  EXPECT_EQ(offsetof(leadscrew_modes, feed), 160U);
+  EXPECT_EQ(offsetof(leadscrew_modes, offset), 176U);
+  EXPECT_EQ(offsetof(leadscrew_modes, tool), 248U);
+  EXPECT_EQ(offsetof(leadscrew_modes, selected_tool), 252U);
+}
+
 }  // namespace test_layout

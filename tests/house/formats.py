@@ -272,6 +272,9 @@ def check_samples(recording, program):
         check(numpy.array_equal(told, taken[:, [header.index(each) for each in columns]]), f"{program}: {name} is not the trace's")
     for name in ("velocity", "acceleration", "jerk"):
         check((name in samples) == (every > 1), f"{program}: {name} is told though every word is, or is not though it must be")
+    distance, tolerance = (numpy.frombuffer(base64.b64decode(samples[name]), dtype="<f4") for name in ("distance", "tolerance"))
+    check(len(distance) == len(tolerance) == count and (distance <= tolerance + 2e-6).all(), f"{program}: words leave the tolerance")
+    check(distance.max() <= recording["result"]["deviation_mm"] + 2e-6, f"{program}: words are farther than the deviation")
     poses = numpy.frombuffer(base64.b64decode(samples["tip"]), dtype="<f4").reshape(count, 3)
     if "tx" in header:
         check(numpy.allclose(poses, taken[:, [header.index(each) for each in POSES[:3]]], atol=1e-4), f"{program}: another tip")

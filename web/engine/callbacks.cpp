@@ -10,6 +10,7 @@ extern "C" {
 [[clang::import_module("page"), clang::import_name("surface")]] void page_surface(const leadscrew_surface* surface);
 [[clang::import_module("page"), clang::import_name("gouge")]] void page_gouge(const leadscrew_gouge* gouge);
 [[clang::import_module("page"), clang::import_name("contour")]] void page_contour(const leadscrew_contour* contour);
+[[clang::import_module("page"), clang::import_name("modes")]] void page_modes(const leadscrew_modes* modes);
 [[clang::import_module("page"), clang::import_name("progress")]] int page_progress(double share);
 
 [[clang::import_module("page"), clang::import_name("text")]] int page_text(const char* text, size_t length);
@@ -31,6 +32,9 @@ leadscrew_gouge_function leadscrew_page_on_gouge() {
 }
 leadscrew_contour_function leadscrew_page_on_contour() {
   return [](const leadscrew_contour* contour, void*) { page_contour(contour); };
+}
+leadscrew_modes_function leadscrew_page_on_modes() {
+  return [](const leadscrew_modes* modes, void*) { page_modes(modes); };
 }
 leadscrew_progress_function leadscrew_page_on_progress() {
   return [](double share, void*) { return page_progress(share); };

@@ -109,6 +109,42 @@ static_assert(offsetof(leadscrew_loop_figures, feed_mean) == 240);
 static_assert(offsetof(leadscrew_loop_figures, contour) == 248);
 static_assert(offsetof(leadscrew_loop_figures, contour_rms) == 256);
 
+static_assert(sizeof(leadscrew_modes) == 256);
+static_assert(offsetof(leadscrew_modes, line) == 8);
+static_assert(offsetof(leadscrew_modes, block) == 24);
+static_assert(offsetof(leadscrew_modes, motion) == 32);
+static_assert(offsetof(leadscrew_modes, plane) == 40);
+static_assert(offsetof(leadscrew_modes, units) == 48);
+static_assert(offsetof(leadscrew_modes, distance) == 56);
+static_assert(offsetof(leadscrew_modes, arc_distance) == 64);
+static_assert(offsetof(leadscrew_modes, feed_mode) == 72);
+static_assert(offsetof(leadscrew_modes, path_mode) == 80);
+static_assert(offsetof(leadscrew_modes, retract) == 88);
+static_assert(offsetof(leadscrew_modes, compensation) == 96);
+static_assert(offsetof(leadscrew_modes, tool_length) == 104);
+static_assert(offsetof(leadscrew_modes, spindle) == 112);
+static_assert(offsetof(leadscrew_modes, coolant) == 120);
+static_assert(offsetof(leadscrew_modes, system) == 128);
+static_assert(offsetof(leadscrew_modes, tolerance) == 144);
+static_assert(offsetof(leadscrew_modes, naive_cam) == 152);
+static_assert(offsetof(leadscrew_modes, feed) == 160);
+static_assert(offsetof(leadscrew_modes, spindle_speed) == 168);
+static_assert(offsetof(leadscrew_modes, offset) == 176);
+static_assert(offsetof(leadscrew_modes, tool) == 248);
+static_assert(offsetof(leadscrew_modes, selected_tool) == 252);
+
+static_assert(sizeof(leadscrew_judged) == 40);
+static_assert(offsetof(leadscrew_judged, distance) == 8);
+static_assert(offsetof(leadscrew_judged, tolerance) == 16);
+static_assert(offsetof(leadscrew_judged, line) == 24);
+
+static_assert(sizeof(leadscrew_verdict) == 48);
+static_assert(offsetof(leadscrew_verdict, deviation) == 8);
+static_assert(offsetof(leadscrew_verdict, tolerance) == 16);
+static_assert(offsetof(leadscrew_verdict, start_error) == 24);
+static_assert(offsetof(leadscrew_verdict, end_error) == 32);
+static_assert(offsetof(leadscrew_verdict, objections) == 40);
+
 static_assert(sizeof(leadscrew_checked) == 176);
 static_assert(offsetof(leadscrew_checked, blocks) == 8);
 static_assert(offsetof(leadscrew_checked, moves) == 16);

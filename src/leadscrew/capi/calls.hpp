@@ -45,6 +45,10 @@ inline constexpr std::size_t first_size<leadscrew_followed> = sizeof(leadscrew_f
 template <>
 inline constexpr std::size_t first_size<leadscrew_loop_figures> = sizeof(leadscrew_loop_figures);
 template <>
+inline constexpr std::size_t first_size<leadscrew_judged> = sizeof(leadscrew_judged);
+template <>
+inline constexpr std::size_t first_size<leadscrew_verdict> = sizeof(leadscrew_verdict);
+template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_task> = offsetof(leadscrew_pulse_task, semi_axes);
 template <>
 inline constexpr std::size_t first_size<leadscrew_pulse_conventions> = offsetof(leadscrew_pulse_conventions, scale);

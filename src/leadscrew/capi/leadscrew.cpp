@@ -13,6 +13,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "handles.hpp"
 
@@ -26,6 +27,8 @@ static_assert(LEADSCREW_HELD_AT_REST == static_cast<int>(pipeline::Hold::Kind::r
 static_assert(LEADSCREW_HELD_BY_CHORD == static_cast<int>(pipeline::Hold::Kind::chord_error));
 
 namespace {
+
+constexpr std::size_t most_changes = 1'000'000;  // of the feed, in one motion
 
 int code_of(const base::Result<void>& result, leadscrew_error* error) {
   return result ? LEADSCREW_OK : rejected(error, result.error());
@@ -277,13 +280,22 @@ int leadscrew_motion_reset(leadscrew_motion* motion, const double* position, lea
 }
 
 int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory, leadscrew_error* error) {
+  return leadscrew_motion_plan_changed(motion, nullptr, nullptr, 0, trajectory, error);
+}
+
+int leadscrew_motion_plan_changed(leadscrew_motion* motion, const double* times, const double* factors, size_t count,
+                                  leadscrew_trajectory** trajectory, leadscrew_error* error) {
   if (trajectory == nullptr) return misuse(error, "the place for the trajectory is NULL");
+  if (count > most_changes || (count > 0 && (times == nullptr || factors == nullptr)))
+    return misuse(error, "the times or the factors of feed changes are NULL, or their count is none that memory holds");
   return within(motion, error, [&](host::Motion& m) {
     auto made = std::make_unique<leadscrew_trajectory>(motion->machine);
     host::PlanNotes notes{.on_move = [&](const gcode::Move& move, const gcode::MachinedMove& machined) {
       if (made->times.observe(move)) made->parts.push_back(part_of(machined));
     }};
-    base::Result<host::Trajectory> planned = m.plan(&notes);
+    std::vector<host::FeedChange> changes;
+    for (std::size_t i = 0; i < count; ++i) changes.push_back({times[i], factors[i]});
+    base::Result<host::Trajectory> planned = m.plan(&notes, changes);
     if (!planned) return rejected(error, planned.error());
     made->planned = std::move(*planned);
     made->summary = notes.summary;

@@ -8,8 +8,8 @@
  *   leadscrew_motion_free(motion);  leadscrew_machine_free(machine);
  *
  * or all of it planned at once, leadscrew_motion_plan(): its duration, and where its axes are at any time; or where slides
- * are whose simulated loops follow words, leadscrew_loops_follow(); or one line or
- * arc by an interpolator of reference pulses, every register to be seen at every clock: leadscrew_pulses_load().
+ * are whose simulated loops follow words, leadscrew_loops_follow(); or how far words are from their program,
+ * leadscrew_referee_observe(); or one line or arc by an interpolator of reference pulses, every register to be seen at every clock: leadscrew_pulses_load().
  *
  * Lengths are mm, angles degrees, times seconds. Axes stand in the order X Y Z A B C U V W.
  *
@@ -26,7 +26,9 @@
 
 #include "leadscrew_base.h"
 #include "leadscrew_loops.h"
+#include "leadscrew_modes.h"
 #include "leadscrew_pulses.h"
+#include "leadscrew_referee.h"
 #include "leadscrew_surfaces.h"
 
 #ifdef __cplusplus
@@ -265,6 +267,12 @@ LEADSCREW_API int leadscrew_motion_reset(leadscrew_motion* motion, const double*
  * pushed so far, before leadscrew_motion_next() has taken one. Its words stay those that they are. */
 LEADSCREW_API int leadscrew_motion_plan(leadscrew_motion* motion, leadscrew_trajectory** trajectory,
                                         leadscrew_error* error);
+/** The same while somebody turns the feed override: from times[i] on, s of the motion as it is with the changes before, in their
+ * order, it is factors[i], 0 … 2. 0 holds: motion brakes within its limits, stands, and goes on with the next change; without
+ * one it ends there. As far as the program allows, as of leadscrew_motion_override(). Arrays of `count` may be NULL where it is 0. */
+LEADSCREW_API int leadscrew_motion_plan_changed(leadscrew_motion* motion, const double* times, const double* factors,
+                                                size_t count, leadscrew_trajectory** trajectory,
+                                                leadscrew_error* error);
 /** From its first instant to rest at its end, s; 0 of NULL. */
 LEADSCREW_API double leadscrew_trajectory_duration(const leadscrew_trajectory* trajectory);
 /** Of all of it. */

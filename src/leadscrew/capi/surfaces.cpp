@@ -6,14 +6,13 @@
 #include <leadscrew/gouging/mesh.hpp>
 #include <leadscrew/gouging/move_ways.hpp>
 #include <leadscrew/gouging/program_check.hpp>
-#include <leadscrew/host/program_reading.hpp>
 #include <leadscrew/surfaces/frame.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "handles.hpp"
+#include "program_readings.hpp"
 
 using namespace leadscrew;
 using namespace leadscrew::capi;
@@ -22,45 +21,6 @@ namespace {
 
 constexpr std::size_t most_cells = 500'000;  // two triangles each
 constexpr int most_halvings = 12;            // of half a radian of an arc
-
-/// Readers of one text, any number of them one after the other.
-class ProgramReadings {
- public:
-  ProgramReadings(const machine::Machine& machine, std::string text, host::MotionOptions options)
-      : machine_(machine),
-        options_(std::move(options)),
-        texts_(std::make_shared<host::ProgramTexts>(std::move(text), options_.subprogram)) {
-    options_.allows_gouging = true;
-  }
-
-  /// The next from the beginning.
-  gcode::Reader open(gcode::MoveSink programmed = {}) {
-    gcode::ReaderOptions reading = host::reading_of(machine_, options_, texts_);
-    reading.programmed = std::move(programmed);
-    return {host::asking_source(texts_->program(), options_.goes_on, share_), machine_, options_.tools,
-            std::move(reading), [this](const base::Diagnostic& diagnostic) {
-              if (diagnostic.severity == base::Severity::error && !error_) error_ = diagnostic;
-            }};
-  }
-  /// Asked while a surface takes long. Once it says to end, that is the error.
-  bool is_ended() {
-    if (!error_ && options_.goes_on && !options_.goes_on(*share_)) error_ = host::interruption();
-    return error_.has_value();
-  }
-  void take(const gcode::Reader& reader) {
-    if (!error_ && reader.source_failure()) error_ = *reader.source_failure();
-  }
-  const std::optional<base::Diagnostic>& error() const { return error_; }
-  const machine::Machine& machine() const { return machine_; }
-  const machine::ToolTable& tools() const { return options_.tools; }
-
- private:
-  const machine::Machine& machine_;
-  host::MotionOptions options_;
-  std::shared_ptr<host::ProgramTexts> texts_;
-  std::shared_ptr<double> share_ = std::make_shared<double>(0);
-  std::optional<base::Diagnostic> error_;
-};
 
 template <class Use>
 int with_program(const leadscrew_machine* machine, const char* text, size_t length, const leadscrew_options* given,

@@ -94,6 +94,7 @@ class ProgramRun {
       for (const base::Word& word : next_words(program, watch)) {
         referee.observe(word.position, word.feed);
         lost.observe(word);
+        if (is_shown) outputs.shown().judge(referee.matched());
         if (auto written = outputs.write(word); !written) return base::failure(written.error());
         if (base::count(word.tick) % words_between_checks != 0) continue;
         if (files::interrupted()) return base::failure(files::interruption());

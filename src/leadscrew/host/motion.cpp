@@ -4,6 +4,7 @@
 #include <leadscrew/host/motion.hpp>
 #include <leadscrew/host/program_reading.hpp>
 #include <leadscrew/planner/limit_ratios.hpp>
+#include <limits>
 #include <utility>
 
 namespace leadscrew::host {
@@ -11,6 +12,24 @@ namespace leadscrew::host {
 namespace {
 
 constexpr std::int64_t moves_between_questions = 4096;  // of one block that repeats itself
+
+base::Result<void> check_override(double factor) {
+  if (factor >= 0 && factor <= 2) return {};
+  return base::failure(base::problem("override", "a feed override of " + base::text(factor, 9), "0 to 2"));
+}
+
+base::Result<void> check(std::span<const FeedChange> changes) {
+  double before = 0;
+  for (const FeedChange& change : changes) {
+    if (auto sound = check_override(change.factor); !sound) return sound;
+    if (!(change.time >= before && std::isfinite(change.time))) {
+      return base::failure(base::problem("override", "feed changes at " + base::text(change.time, 9) + " s",
+                                         "times in their order, from 0"));
+    }
+    before = change.time;
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -70,7 +89,7 @@ void Motion::begin() {
   if (options_.on_event) program_->on_event(options_.on_event);
 }
 
-base::Result<Trajectory> Motion::plan(PlanNotes* notes) const {
+base::Result<Trajectory> Motion::plan(PlanNotes* notes, FeedChanges changes) const {
   if (moves_.has_given())
     return base::failure(base::problem("motion-moves", "motion has taken moves already", "plan before the first word"));
   std::optional<pipeline::MotionSource> source;
@@ -81,13 +100,21 @@ base::Result<Trajectory> Motion::plan(PlanNotes* notes) const {
     return pipeline::Supply::move;
   });
   if (feed_override_ == 0) return base::failure(base::problem("override", "motion is held", "a feed override above 0"));
+  if (auto sound = check(changes); !sound) return base::failure(sound.error());
   source->planner().override_feed(feed_override_);
-  return notes == nullptr ? plan_from(*source) : plan_noted(*source, *notes);
+  return notes == nullptr ? plan_from(*source, changes) : plan_noted(*source, changes, *notes);
 }
 
-base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, const ChunkSink& sink) const {
+base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, FeedChanges changes,
+                                           const ChunkSink& sink) const {
   Trajectory trajectory(machine_.period, options_.start);
+  auto change = changes.begin();
   for (;;) {
+    const double now = trajectory.duration();
+    for (; change != changes.end() && change->time <= now; ++change) source.planner().override_feed(change->factor);
+    // What is committed to ends where feed changes next.
+    const double left = change == changes.end() ? std::numeric_limits<double>::infinity() : change->time - now;
+    if (!changes.empty()) source.planner().slice(std::max(left, machine_.period.seconds()));
     if (std::optional<planner::Chunk> chunk = source.next()) {
       if (sink) sink(*chunk);
       trajectory.append(std::move(*chunk));
@@ -95,6 +122,8 @@ base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, const
       source.input_is({});
     } else if (source.waits_for_probe()) {
       source.probed({true, false, source.rest(), source.rest()});
+    } else if (source.planner().is_held() && change != changes.end() && !source.failure()) {
+      trajectory.stand(left);
     } else {
       break;
     }
@@ -103,7 +132,8 @@ base::Result<Trajectory> Motion::plan_from(pipeline::MotionSource& source, const
   return trajectory;
 }
 
-base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, PlanNotes& notes) const {
+base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, FeedChanges changes,
+                                            PlanNotes& notes) const {
   const constraints::Constraints constraints(machine_);
   planner::TimeBound bound(machine_);
   notes.summary = {};
@@ -113,7 +143,7 @@ base::Result<Trajectory> Motion::plan_noted(pipeline::MotionSource& source, Plan
     pipeline::account(move, notes.summary);
     if (notes.on_move) notes.on_move(move, source.machined());
   };
-  auto trajectory = plan_from(source, [&](const planner::Chunk& chunk) {
+  auto trajectory = plan_from(source, changes, [&](const planner::Chunk& chunk) {
     planner::raise_limit_ratios(chunk, constraints, notes.summary.plan);
     notes.summary.length_mm += chunk.length;
   });
@@ -134,8 +164,7 @@ std::size_t Motion::next(std::span<base::Word> words) {
 }
 
 base::Result<void> Motion::override_feed(double factor) {
-  if (!(factor >= 0 && factor <= 2))
-    return base::failure(base::problem("override", "a feed override of " + base::text(factor, 9), "0 to 2"));
+  if (auto sound = check_override(factor); !sound) return sound;
   program_->override_feed(factor);
   feed_override_ = factor;
   return {};

@@ -61,6 +61,12 @@ struct MotionOptions {
 
 using pipeline::Trajectory, pipeline::TrajectoryState;
 
+/// Somebody turns the feed override, or holds feed, while motion is under way.
+struct FeedChange {
+  double time = 0;    ///< s of the motion, as it is with the changes before
+  double factor = 1;  ///< 0 … 2; 0 holds, until the next change
+};
+
 /// What plan() tells beside the motion. Events of the tool are then among those of the trajectory (MotionSource::tell_tool).
 struct PlanNotes {
   /// Gets each move, in order, before it is planned, and what it has to do with a surface; may be empty.
@@ -93,9 +99,11 @@ class Motion {
 
   /// All of it, planned from its beginning to its end as nobody intervenes, by the feed override as it stands: of a program,
   /// or of the moves that have been pushed so far, with rest behind the last. A probe of its own touches
-  /// where probing moves lead. Words stay those that they are; this plans beside them. `notes` may be null. Errors:
-  /// `motion-moves` where next() has taken some of the moves already; `override` while held; failure().
-  base::Result<Trajectory> plan(PlanNotes* notes = nullptr) const;
+  /// where probing moves lead. Words stay those that they are; this plans beside them. `notes` may be null. `changes`, in the
+  /// order of time, act from the first instant that the limits allow: motion that is held brakes, stands, and goes on with the
+  /// next of them, or ends there. Errors: `motion-moves` where next() has taken some of the moves already; `override` while
+  /// held, and of a change that is none; failure().
+  base::Result<Trajectory> plan(PlanNotes* notes = nullptr, std::span<const FeedChange> changes = {}) const;
 
   /// The next words, as many as there are room and motion for: fewer than asked only where progress() says why.
   std::size_t next(std::span<base::Word> words);
@@ -142,8 +150,10 @@ class Motion {
   template <class Joined>
   void join(std::optional<Joined>& joined, pipeline::MoveInput moves) const;
   using ChunkSink = std::function<void(const planner::Chunk&)>;
-  base::Result<Trajectory> plan_from(pipeline::MotionSource& source, const ChunkSink& sink = {}) const;
-  base::Result<Trajectory> plan_noted(pipeline::MotionSource& source, PlanNotes& notes) const;
+  using FeedChanges = std::span<const FeedChange>;
+  base::Result<Trajectory> plan_from(pipeline::MotionSource& source, FeedChanges changes,
+                                     const ChunkSink& sink = {}) const;
+  base::Result<Trajectory> plan_noted(pipeline::MotionSource& source, FeedChanges changes, PlanNotes& notes) const;
 
   const machine::Machine machine_;
   MotionOptions options_;

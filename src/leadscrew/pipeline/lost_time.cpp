@@ -30,12 +30,19 @@ std::vector<std::pair<Cause, double>> ranked(const LostByCause& lost) {
 
 LostTime::LostTime(const machine::Machine& machine, Sink block) : machine_(machine), sink_(std::move(block)) {}
 
+std::optional<double> block_length(const gcode::Move& move) {
+  if (move.kind == gcode::Move::Kind::event) return std::nullopt;
+  if (move.kind == gcode::Move::Kind::dwell) return 0;
+  const double length = toolpath::feed_length(move);
+  return length == 0 ? std::nullopt : std::optional(length);
+}
+
 bool LostTime::observe(const gcode::Move& move) {
-  if (move.kind == gcode::Move::Kind::event) return false;
+  const std::optional<double> length = block_length(move);
+  if (!length) return false;
   Asked asked;
   asked.is_dwell = move.kind == gcode::Move::Kind::dwell;
-  asked.length = asked.is_dwell ? 0 : toolpath::feed_length(move);
-  if (!asked.is_dwell && asked.length == 0) return false;
+  asked.length = *length;
   asked.block.line = move.line;
   asked.block.from = move.start;
   asked.block.to = move.end;

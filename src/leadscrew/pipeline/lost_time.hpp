@@ -15,6 +15,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/near_limits.hpp>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,9 @@ struct BlockTime {
   double lost() const { return seconds - least_seconds; }
 };
 
+/// Of a move that becomes a block: how long it is, as feed is counted; 0 of a dwell. Events, and moves of no length, become none.
+std::optional<double> block_length(const gcode::Move& move);
+
 /// Sums of all blocks' times are those of the motion: lost() together is time − Σ length/feed.
 class LostTime {
  public:
@@ -50,7 +54,7 @@ class LostTime {
 
   /// In place of the sink that it was made with.
   void on_block(Sink sink) { sink_ = std::move(sink); }
-  /// Each move, before the first word of it. Does it become a block? Events, and moves of no length, do not.
+  /// Each move, before the first word of it. Does it become a block?
   bool observe(const gcode::Move& move);
   /// Each word, from that of t = 0.
   void observe(const base::Word& word);

@@ -25,11 +25,33 @@ void set_rates(TrajectoryState& state, const geometry::PointJet& q, const planne
 }  // namespace
 
 void Trajectory::append(planner::Chunk chunk) {
-  chunk.stop_tail.clear();  // nobody stops on the way
+  // Nobody stops on the way; where the committed part is cut, the tail's first segment tells its end.
+  if (chunk.stop_tail.size() > 1) chunk.stop_tail.resize(1);
   chunk.tail_events.clear();
   Part& part = parts_.emplace_back(Part{std::move(chunk), last_});
   part.cycle.load(part.chunk);
   last_ = part.cycle;
+}
+
+void Trajectory::stand(double seconds) {
+  const base::Word rest = wait_at_end();
+  planner::Chunk chunk;
+  chunk.rest = rest.position;
+  chunk.rest_line = rest.line;
+  chunk.duration = DoubleDouble(seconds);
+  planner::Segment& standing = chunk.segments.emplace_back();
+  standing.state = base::MotionState::rest;
+  standing.duration = chunk.duration;
+  append(std::move(chunk));
+  wait_at_end();
+}
+
+/// The word at rest behind the last chunk. Whatever comes next begins there, be it in the middle of a motion or a dwell.
+base::Word Trajectory::wait_at_end() {
+  last_.seek(last_.end());
+  const base::Word rest = last_.next();
+  last_.seek(last_.end());
+  return rest;
 }
 
 /// The tick that t is, or else t. Ticks are multiples of 10 µs at least: no other double is so near to one by chance that

@@ -41,6 +41,8 @@ class Trajectory {
 
   /// The next chunk of the planner: it goes on where the one before ends. The last must end at rest.
   void append(planner::Chunk chunk);
+  /// Stands for so many seconds, ≥ 0, where the chunk before has ended at rest.
+  void stand(double seconds);
 
   /// Seconds to rest at the end.
   double duration() const { return last_.end().value(); }
@@ -62,6 +64,7 @@ class Trajectory {
     interpolator::Interpolator cycle;  ///< as it is when the chunk has been loaded
   };
 
+  base::Word wait_at_end();
   interpolator::Interpolator cycle_at(numeric::DoubleDouble time) const;
   numeric::DoubleDouble exact(double t) const;
   base::Tick first_from(numeric::DoubleDouble time) const;

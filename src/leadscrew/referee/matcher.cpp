@@ -178,6 +178,8 @@ Passage Matcher::passage(std::size_t last) {
   result.line = matched.piece.line;
   result.block_feed = matched.piece.feed.value;
   result.tool = matched.piece.tool;
+  result.distance = matched.next.distance;
+  result.tolerance = matched.piece.tolerance;
   result.orientation_tolerance = matched.piece.orientation_tolerance;
   if (tells_places_) result.place = point_at(metric_, matched.piece, matched.next.place);
   const bool stays = one_block && matched.piece.block == matched_.block;

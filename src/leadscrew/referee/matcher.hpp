@@ -52,6 +52,8 @@ struct Passage {
   base::Line line{};             ///< of the block the word lies nearest to
   double block_feed = 0;         ///< of that block, mm/s or degrees/s; infinite for a rapid
   std::array<double, 3> tool{};  ///< in it: its offset, mm
+  double distance = 0;           ///< of the word from there, mm
+  double tolerance = 0;          ///< of that block, mm
   ProgrammedFeed feed;  ///< greatest of the blocks the two words may lie on; infinite if they tell it in different axes
   const Piece* arc = nullptr;  ///< if both words lie on the same arc: a piece of it
   double turn = 0;             ///< and the angle between them, radians

@@ -66,14 +66,14 @@ class Referee::Implementation {
   void observe(const base::AxisVector& position, std::optional<double> planned_feed) {
     if (cancellation_.requested()) return;
     if (!std::all_of(position.begin(), position.end(), [](double q) { return std::isfinite(q); })) {
-      log_.add(time(), line_, "not a number", 0, 0);
+      log_.add(time(), matched_.line, "not a number", 0, 0);
       observe_finite(position_, planned_feed);
       return;
     }
     observe_finite(position, planned_feed);
   }
 
-  MatchedBlock matched() const { return {line_, block_feed_, tool_}; }
+  const MatchedBlock& matched() const { return matched_; }
 
   Verdict conclude() {
     if (words_ == 0) {
@@ -89,7 +89,7 @@ class Referee::Implementation {
     if (verdict_.end_error_mm > end_tolerance + nanometre)
       add_rare(end_time, "end", {section_->source.end_line(), verdict_.end_error_mm, end_tolerance});
     while (spaces_.begin_next() && !cancellation_.requested()) skip_section(end_time);
-    derivatives_.conclude(line_, verdict_, log_);
+    derivatives_.conclude(matched_.line, verdict_, log_);
     log_.conclude(verdict_);
     return verdict_;
   }
@@ -177,7 +177,7 @@ class Referee::Implementation {
       while (ends_before(position)) change_space();
       observe_next(position, planned_feed);
     }
-    derivatives_.observe(position, line_);
+    derivatives_.observe(position, matched_.line);
     before_ = words_ == 0 ? position : position_;
     position_ = position;
     ++words_;
@@ -249,9 +249,8 @@ class Referee::Implementation {
   /// `place`: the word's, in its space.
   void account(const Passage& passage, const base::AxisVector& place) {
     const PoseDeviation pose = section_->is_of_tip ? deviation_of(passage, place) : PoseDeviation();
-    line_ = passage.line;
-    block_feed_ = passage.block_feed;
-    tool_ = passage.tool;
+    matched_ = {passage.line, passage.block_feed, passage.tool, section_->is_of_tip ? pose.tip : passage.distance,
+                passage.tolerance};
     if (passage.skipped) add_rare(time(), "skipped path", *passage.skipped);
     if (passage.deviation) tell_departure(passage, pose);
     for (const RequiredStop& stop : section_->source.take_stops()) section_->stops.require(stop);
@@ -278,9 +277,7 @@ class Referee::Implementation {
   Verdict verdict_;
   std::int64_t words_ = 0;
   base::AxisVector before_{}, position_{}, word_{};  ///< the last words, and the one that is observed
-  base::Line line_{};
-  double block_feed_ = 0;
-  std::array<double, 3> tool_{};
+  MatchedBlock matched_;
 };
 
 Referee::Referee(MoveSource moves, const machine::Machine& machine, base::Period period,

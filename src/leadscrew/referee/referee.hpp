@@ -66,6 +66,9 @@ struct MatchedBlock {
   base::Line line{};             ///< of the program
   double feed = 0;               ///< programmed, mm/s or degrees/s; infinite for a rapid
   std::array<double, 3> tool{};  ///< offset of the tool in it, mm; 0 of machines without a chain of rotary axes
+  double distance =
+      0;  ///< mm, of the word from there; of the tool's tip from its place under tool centre point control
+  double tolerance = 0;  ///< mm, of the block
 };
 
 /// What all words were.

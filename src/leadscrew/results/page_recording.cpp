@@ -12,6 +12,8 @@ namespace {
 
 using json::Json;
 
+constexpr float least_tolerance = 1e-6F;  // mm; the referee takes no less for a departure
+
 /// Numbers one behind the other, least byte first, in base64; `of` gives one or several of each item.
 template <class Number, class Items, class Of>
 Json packed(const Items& items, const Of& of) {
@@ -64,8 +66,22 @@ void PageRecording::advance(base::Tick tick) {
 void PageRecording::observe(const base::Word& word, const std::optional<kinematics::ToolPose>& pose) {
   advance(word.tick);
   last_ = sample_of(word, pose);
-  if (words_++ % every_ == 0) samples_.push_back(last_);
+  last_.judged = judged_.value_or(Judged());
+  if (words_++ % every_ == 0) {
+    samples_.push_back(last_);
+    judged_.reset();
+  }
   if (samples_.size() > most_samples) thin();
+}
+
+PageRecording::Judged PageRecording::farther(const Judged& a, const Judged& b) {
+  return b.distance / std::max(b.tolerance, least_tolerance) > a.distance / std::max(a.tolerance, least_tolerance) ? b
+                                                                                                                   : a;
+}
+
+void PageRecording::judge(const referee::MatchedBlock& matched) {
+  const Judged judged{static_cast<float>(matched.distance), static_cast<float>(matched.tolerance)};
+  judged_ = judged_ ? farther(*judged_, judged) : judged;
 }
 
 PageRecording::Sample PageRecording::sample_of(const base::Word& word,
@@ -102,7 +118,11 @@ PageRecording::Sample PageRecording::sample_of(const base::Word& word,
 
 void PageRecording::thin() {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < samples_.size(); i += 2) samples_[kept++] = samples_[i];
+  for (std::size_t i = 0; i < samples_.size(); i += 2) {
+    if (i > 0) samples_[i].judged = farther(samples_[i - 1].judged, samples_[i].judged);
+    samples_[kept++] = samples_[i];
+  }
+  if (samples_.size() % 2 == 0) judged_ = samples_.back().judged;
   samples_.resize(kept);
   every_ *= 2;
 }
@@ -149,17 +169,20 @@ json::Json PageRecording::samples() const {
   };
   Json axes = Json::list();
   for (const base::Axis axis : axes_) axes.push_back(std::string(1, base::letter(axis)));
-  Json json = Json::object({{"count", all.size()},
-                            {"words_each", every_},
-                            {"axes", axes},
-                            {"position", packed<double>(all, of_axes(&Sample::position))},
-                            {"feed", packed<double>(all, [](const Sample& sample) { return sample.feed; })},
-                            {"s", packed<double>(all, [](const Sample& sample) { return sample.length; })},
-                            {"tip", packed<float>(all, of_three(&Sample::tip))},
-                            {"tool", packed<std::int32_t>(all, [](const Sample& sample) { return sample.tool; })},
-                            {"line", packed<std::int32_t>(all, [](const Sample& sample) { return sample.line; })},
-                            {"hold", packed<std::uint8_t>(all, [](const Sample& sample) { return sample.hold.kind; })},
-                            {"hold_axis", packed<std::uint8_t>(all, axis_of_hold)}});
+  Json json =
+      Json::object({{"count", all.size()},
+                    {"words_each", every_},
+                    {"axes", axes},
+                    {"position", packed<double>(all, of_axes(&Sample::position))},
+                    {"feed", packed<double>(all, [](const Sample& sample) { return sample.feed; })},
+                    {"s", packed<double>(all, [](const Sample& sample) { return sample.length; })},
+                    {"tip", packed<float>(all, of_three(&Sample::tip))},
+                    {"tool", packed<std::int32_t>(all, [](const Sample& sample) { return sample.tool; })},
+                    {"line", packed<std::int32_t>(all, [](const Sample& sample) { return sample.line; })},
+                    {"hold", packed<std::uint8_t>(all, [](const Sample& sample) { return sample.hold.kind; })},
+                    {"hold_axis", packed<std::uint8_t>(all, axis_of_hold)},
+                    {"distance", packed<float>(all, [](const Sample& sample) { return sample.judged.distance; })},
+                    {"tolerance", packed<float>(all, [](const Sample& sample) { return sample.judged.tolerance; })}});
   if (every_ > 1) {  // else they are differences of what is there
     json["velocity"] = packed<float>(all, of_axes(&Sample::velocity));
     json["acceleration"] = packed<float>(all, of_axes(&Sample::acceleration));

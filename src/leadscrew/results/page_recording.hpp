@@ -14,6 +14,7 @@
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/pipeline/lost_time.hpp>
 #include <leadscrew/pipeline/near_limits.hpp>
+#include <leadscrew/referee/referee.hpp>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -27,6 +28,8 @@ class PageRecording {
   /// The machine gives axes, limits and period, and must outlive the recording.
   explicit PageRecording(const machine::Machine& machine);
 
+  /// Of the word that is observed next: how far it is from the program.
+  void judge(const referee::MatchedBlock& matched);
   /// Word after word from that of t = 0; its pose where the machine has a chain of rotary axes.
   void observe(const base::Word& word, const std::optional<kinematics::ToolPose>& pose);
   /// Of a word that will be observed: feed that is asked for (programmed_feed), and the tool.
@@ -44,6 +47,10 @@ class PageRecording {
  private:
   using Derivative = std::array<float, base::axis_count>;
 
+  /// Of all words since the sample before, that which is the farthest for its tolerance.
+  struct Judged {
+    float distance = 0, tolerance = 0;  ///< mm
+  };
   struct Sample {
     base::AxisVector position{};                    ///< mm or degrees
     Derivative velocity{}, acceleration{}, jerk{};  ///< differences of words over period^k
@@ -52,6 +59,7 @@ class PageRecording {
     float pole_angle = std::numeric_limits<float>::infinity();  ///< degrees
     std::int32_t line = 0, tool = 0;
     pipeline::Hold hold;
+    Judged judged;
   };
   struct Block {
     pipeline::BlockTime time;
@@ -61,6 +69,7 @@ class PageRecording {
   void advance(base::Tick tick);
   Sample sample_of(const base::Word& word, const std::optional<kinematics::ToolPose>& pose);
   void thin();
+  static Judged farther(const Judged& a, const Judged& b);
   std::vector<Sample> all() const;
 
   const machine::Machine& machine_;
@@ -71,7 +80,8 @@ class PageRecording {
   std::int64_t words_ = 0, every_ = 1;
   std::array<base::AxisVector, 4> differences_{};  ///< of the last word, 0th to 3rd
   std::deque<base::PassedEvent> ahead_;
-  double feed_asked_ = 0;  ///< mm/s; infinite of a rapid
+  std::optional<Judged> judged_;  ///< of words behind the last sample
+  double feed_asked_ = 0;         ///< mm/s; infinite of a rapid
   std::array<double, 3> offset_{};
   std::int32_t tool_ = 0;
   std::deque<gcode::MachinedMove> expected_;

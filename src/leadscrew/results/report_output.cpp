@@ -41,6 +41,10 @@ void ReportOutput::observe(const base::Word& word, const std::optional<kinematic
   if (page_recording_) page_recording_->observe(word, pose);
 }
 
+void ReportOutput::judge(const referee::MatchedBlock& matched) {
+  if (page_recording_) page_recording_->judge(matched);
+}
+
 void ReportOutput::observe(const base::PassedEvent& event) {
   if (recording_) recording_->observe(event);
   if (page_recording_) page_recording_->observe(event);

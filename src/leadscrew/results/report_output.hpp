@@ -36,6 +36,8 @@ class ReportOutput {
   /// What a report of slides shows beside; null where there is none.
   report::FollowedRecording* followed() { return followed_ ? &*followed_ : nullptr; }
 
+  /// Of the word that is told next: how far it is from the program.
+  void judge(const referee::MatchedBlock& matched);
   /// Word after word, with the pose of the tool where there is a chain of rotary axes.
   void observe(const base::Word& word, const std::optional<kinematics::ToolPose>& pose);
   /// Of a word that is told next.
