@@ -54,6 +54,33 @@ export const loopFigures = {
   contourRms: 256,
 } as const;
 
+export const modes = {
+  size: 256,
+  block: 24,
+  motion: 32,
+  plane: 40,
+  units: 48,
+  distance: 56,
+  arcDistance: 64,
+  feedMode: 72,
+  pathMode: 80,
+  retract: 88,
+  compensation: 96,
+  toolLength: 104,
+  spindle: 112,
+  coolant: 120,
+  system: 128,
+  tolerance: 144,
+  naiveCam: 152,
+  feed: 160,
+  spindleSpeed: 168,
+  offset: 176,
+  tool: 248,
+  selectedTool: 252,
+} as const;
+export const judged = { size: 40, distance: 8, tolerance: 16, line: 24 } as const;
+export const verdict = { size: 48, deviation: 8, tolerance: 16, startError: 24, endError: 32, objections: 40 } as const;
+
 export const checked = { size: 176, blocks: 8, moves: 16, bound: 24, least: 32, greatest: 104 } as const;
 
 export const motionFigures = {

@@ -50,6 +50,15 @@ interface Exports extends CommonExports {
     user: number,
     error: number,
   ): number;
+  leadscrew_program_modes(
+    machine: number,
+    text: number,
+    length: number,
+    options: number,
+    onModes: number,
+    user: number,
+    error: number,
+  ): number;
   leadscrew_explain(machine: number, block: number, text: number, length: number): number;
   leadscrew_motion_of_program(
     machine: number,
@@ -60,7 +69,14 @@ interface Exports extends CommonExports {
     error: number,
   ): number;
   leadscrew_motion_override(motion: number, factor: number, error: number): number;
-  leadscrew_motion_plan(motion: number, trajectory: number, error: number): number;
+  leadscrew_motion_plan_changed(
+    motion: number,
+    times: number,
+    factors: number,
+    count: number,
+    trajectory: number,
+    error: number,
+  ): number;
   leadscrew_motion_free(motion: number): void;
   leadscrew_motion_next(
     motion: number,
@@ -82,6 +98,16 @@ interface Exports extends CommonExports {
     error: number,
   ): number;
   leadscrew_loops_free(loops: number): void;
+  leadscrew_referee_begin(
+    machine: number,
+    text: number,
+    length: number,
+    options: number,
+    referee: number,
+    error: number,
+  ): number;
+  leadscrew_referee_observe(referee: number, word: number, wordSize: number, judged: number, error: number): number;
+  leadscrew_referee_free(referee: number): void;
   leadscrew_trajectory_figures(trajectory: number, figures: number, error: number): number;
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
   leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
@@ -91,6 +117,7 @@ interface Exports extends CommonExports {
   leadscrew_trajectory_free(trajectory: number): void;
   leadscrew_page_on_diagnostic(): number;
   leadscrew_page_on_block(): number;
+  leadscrew_page_on_modes(): number;
   leadscrew_page_on_tool(): number;
   leadscrew_page_on_surface(): number;
   leadscrew_page_on_gouge(): number;
@@ -118,6 +145,15 @@ export class MotionModule extends WasmModule<Exports> {
 
   numbers(at: number, count = layout.axes): number[] {
     return [...new Float64Array(this.calls.memory.buffer, at, count)];
+  }
+
+  /** Doubles, one behind the other; 0 where there are none. */
+  withNumbers<T>(numbers: readonly number[], use: (at: number) => T): T {
+    if (numbers.length === 0) return use(0);
+    return this.with(8 * numbers.length, (at) => {
+      numbers.forEach((each, i) => this.view.setFloat64(at + 8 * i, each, true));
+      return use(at);
+    });
   }
 
   number(at: number): number {

@@ -1,5 +1,8 @@
 // What the page asks the planner for, and what it is told.
 
+import type { Deviations, Judged } from "./judging";
+import type { ModesData } from "./modes";
+
 export const axisLetters = "XYZABCUVW";
 
 /** Of a machine; a number an axis, those that it lacks 0. Lengths mm or degrees, times s. */
@@ -121,12 +124,21 @@ export interface PathData {
   readonly values: Readonly<Record<Measure, Float32Array>>;
   /** An entry of `holds` a vertex. */
   readonly hold: Uint8Array;
+  /** How far a vertex is from the program, of its tolerance; empty until it has been judged. */
+  share: Float32Array;
   readonly least: readonly number[];
   readonly greatest: readonly number[];
 }
 
 /** A number of each sample; speed, acceleration and jerk of X, Y and Z together. */
 export type Measure = "speed" | "acceleration" | "jerk" | "line";
+
+/** Somebody turns the feed override, or holds feed: from `time` on, s of the motion as it is with the changes before. */
+export interface FeedChange {
+  readonly time: number;
+  /** 0 … 2; 0 holds. */
+  readonly factor: number;
+}
 
 /** Time beyond what feed words ask. */
 export interface Lost {
@@ -200,11 +212,14 @@ export interface Plan {
   readonly surfaces: readonly SurfaceMesh[];
   /** What the program tells where cutter compensation leads the tool beside it, as lines: places of both ends, six numbers each. */
   readonly contour: Float32Array;
+  readonly modes: ModesData;
   readonly poles: readonly PoleVisit[];
+  /** None until somebody asks for them. */
+  deviations: Deviations | undefined;
 }
 
-/** What a program is machined with and is to become, without its motion. */
-export type Equipment = Pick<Plan, "tools" | "surfaces" | "contour">;
+/** What a program is machined with, what it is to become and what it has in force, without its motion. */
+export type Equipment = Pick<Plan, "tools" | "surfaces" | "contour" | "modes">;
 
 /** In place of what a program and its machine say. */
 export interface Asked {
@@ -237,6 +252,8 @@ export interface Task {
   readonly tools: string;
   /** Of the feed, above 0, at most 2. */
   readonly override: number;
+  /** In the order of time. */
+  readonly changes: readonly FeedChange[];
   readonly asked?: Asked | undefined;
 }
 
@@ -354,6 +371,8 @@ export interface PlannerCalls {
   circle(task: CircleTask): Promise<Words | Diagnostic>;
   /** What loops make of the words of what was planned last. */
   slides(task: Task, loops: LoopOptions): Promise<Slides | Diagnostic>;
+  /** How far samples of what was planned last, so many at most, are from its program. */
+  judged(most: number): Promise<Judged | Diagnostic>;
   /** All words of what was planned last, as `leadscrew run --trace` writes them. */
   trace(): Promise<Blob>;
   /** Step and direction of all axes along what was planned last, as `leadscrew run --pulses FILE.vcd` writes them; Hz. */
@@ -363,4 +382,4 @@ export interface PlannerCalls {
 }
 
 export type PlannerMethod = keyof PlannerCalls;
-export type Phase = "reading" | "planning" | "looking";
+export type Phase = "reading" | "planning" | "looking" | "judging";

@@ -1,5 +1,6 @@
 // What a page draws of a plan at once: the path as lines, the range of what it is coloured by, and where time is lost.
 
+import { shareOf, type Deviations, type Judged } from "./judging";
 import type { Blocks, Gouge, Lost, Measure, PathData, Plan, PoleVisit, Samples } from "./motion_types";
 
 const mostVertices = 200_000;
@@ -78,9 +79,33 @@ export function pathOf(samples: Samples, blocks: Blocks): PathData {
     part,
     values,
     hold,
+    share: new Float32Array(),
     least,
     greatest,
   };
+}
+
+export function deviationsOf(samples: Samples, blocks: Blocks, judged: Judged): Deviations {
+  let [share, worst, least, greatest] = [0, 0, Infinity, 0];
+  for (let i = 0; i < samples.count; ++i) {
+    if (isRapid(samples, blocks, i)) continue;
+    const [distance, tolerance] = [judged.distance[i] ?? 0, judged.tolerance[i] ?? 0];
+    least = Math.min(least, tolerance);
+    greatest = Math.max(greatest, tolerance);
+    if (shareOf(distance, tolerance) > share) [share, worst] = [shareOf(distance, tolerance), i];
+  }
+  return { ...judged, share, worst, tolerances: [Math.min(least, greatest), greatest] };
+}
+
+/** Of vertices, in one of which all samples since the one before are told. */
+export function sharesOf(path: Pick<PathData, "samples">, judged: Judged): Float32Array {
+  let sample = 0;
+  return Float32Array.from(path.samples, (last) => {
+    let most = 0;
+    for (; sample <= last; ++sample)
+      most = Math.max(most, shareOf(judged.distance[sample] ?? 0, judged.tolerance[sample] ?? 0));
+    return most;
+  });
 }
 
 function rangeOf(samples: Samples, blocks: Blocks, measure: Measure): readonly [number, number] {
@@ -98,6 +123,12 @@ function rangeOf(samples: Samples, blocks: Blocks, measure: Measure): readonly [
 export function rangesOf(samples: Samples, blocks: Blocks): Plan["ranges"] {
   const of = (measure: Measure): readonly [number, number] => rangeOf(samples, blocks, measure);
   return { speed: of("speed"), acceleration: of("acceleration"), jerk: of("jerk"), line: of("line") };
+}
+
+/** The plan has been judged. */
+export function takeJudged(plan: Plan, judged: Judged): void {
+  plan.deviations = deviationsOf(plan.samples, plan.blocks, judged);
+  plan.path.share = sharesOf(plan.path, judged);
 }
 
 /** At most `most` moves of those that lose time, the dearest first. */

@@ -23,8 +23,10 @@ import type {
 } from "./motion_types";
 import { lostOf, pathOf, polesOf, rangesOf } from "./path";
 import { gougeAt, surfaceAt, takeContour, toolAt } from "./surfaces";
+import { ModesList } from "./modes";
 import { slidesOf } from "./loops";
-import { axesOf, BlockList, samplesOf, timeOfWord, traceOf } from "./sampling";
+import { judgedOf, type Judged } from "./judging";
+import { axesOf, BlockList, factorsOf, samplesOf, timeOfWord, traceOf } from "./sampling";
 import { circleWords, wordsOf } from "./words";
 
 const mostLosses = 50; // told one by one
@@ -36,7 +38,7 @@ const nothingPlanned: Diagnostic = {
   line: 0,
   column: 0,
   code: "nothing-planned",
-  message: "there is no motion that loops could follow",
+  message: "there is no motion yet",
   hint: "plan a sound program first",
   field: "",
 };
@@ -44,6 +46,7 @@ const nothingPlanned: Diagnostic = {
 export type Told = (phase: Phase, share: number) => void;
 
 interface Planned {
+  readonly task: Task;
   readonly trajectory: number;
   readonly figures: Figures;
   readonly limits: Limits;
@@ -53,6 +56,7 @@ interface Planned {
 export class Planner implements PlannerCalls {
   private found: Diagnostic[] = [];
   private blocks = new BlockList();
+  private modes = new ModesList();
   private tools: ToolShape[] = [];
   private surfaces: SurfaceMesh[] = [];
   private contour: number[] = [];
@@ -70,6 +74,7 @@ export class Planner implements PlannerCalls {
     const module = await MotionModule.of(compiled, {
       diagnostic: (at) => void planner.found.push(module.diagnostic(at)),
       block: (at) => planner.blocks.take(module, at),
+      modes: (at) => planner.modes.take(module, at),
       tool: (at) => void planner.tools.push(toolAt(module, at)),
       surface: (at) => void planner.surfaces.push(surfaceAt(module, at)),
       contour: (at) => takeContour(module, at, planner.contour),
@@ -142,7 +147,8 @@ export class Planner implements PlannerCalls {
   async equipment(task: Task): Promise<Equipment> {
     this.begin("reading");
     const machine = this.machineOf(task);
-    if (typeof machine !== "number") return { tools: [], surfaces: [], contour: new Float32Array() };
+    if (typeof machine !== "number")
+      return { tools: [], surfaces: [], contour: new Float32Array(), modes: new ModesList().done() };
     this.takeEquipment(machine, task);
     this.module.calls.leadscrew_machine_free(machine);
     return this.taken;
@@ -207,6 +213,19 @@ export class Planner implements PlannerCalls {
     }
   }
 
+  async judged(most: number): Promise<Judged | Diagnostic> {
+    const { module, planned } = this;
+    if (planned === undefined) return nothingPlanned;
+    const machine = this.machineOf(planned.task);
+    if (typeof machine !== "number") return machine;
+    this.begin("judging");
+    try {
+      return judgedOf({ ...planned, module, machine }, most, (share) => this.told("judging", share));
+    } finally {
+      module.calls.leadscrew_machine_free(machine);
+    }
+  }
+
   async trace(): Promise<Blob> {
     if (this.planned === undefined) return new Blob([]);
     return traceOf({ module: this.module, ...this.planned });
@@ -248,15 +267,30 @@ export class Planner implements PlannerCalls {
   }
 
   private get taken(): Equipment {
-    return { tools: this.tools, surfaces: this.surfaces, contour: Float32Array.from(this.contour) };
+    return {
+      tools: this.tools,
+      surfaces: this.surfaces,
+      contour: Float32Array.from(this.contour),
+      modes: this.modes.done(),
+    };
   }
 
-  /** Tools of the table, surfaces that are machined, and contours; a program of none of these is not read again. */
+  /** Tools of the table, surfaces that are machined, contours, and modes. */
   private takeEquipment(machine: number, task: Task): void {
     const { module } = this;
     [this.tools, this.surfaces, this.contour] = [[], [], []];
+    this.modes = new ModesList();
     module.withProgram(task, (text, length, options) => {
       module.calls.leadscrew_tools(options, module.calls.leadscrew_page_on_tool(), 0, 0);
+      module.calls.leadscrew_program_modes(
+        machine,
+        text,
+        length,
+        options,
+        module.calls.leadscrew_page_on_modes(),
+        0,
+        0,
+      );
       const onSurface = module.calls.leadscrew_page_on_surface();
       const onContour = module.calls.leadscrew_page_on_contour();
       if (/G0*6\.5/i.test(task.text))
@@ -275,7 +309,18 @@ export class Planner implements PlannerCalls {
     if (typeof motion !== "number") return motion;
     this.phase = "planning";
     module.calls.leadscrew_motion_override(motion, task.override, 0);
-    const trajectory = module.made((to, error) => module.calls.leadscrew_motion_plan(motion, to, error));
+    const { changes } = task;
+    const trajectory = module.withNumbers(
+      changes.map(({ time }) => time),
+      (times) =>
+        module.withNumbers(
+          changes.map(({ factor }) => factor),
+          (factors) =>
+            module.made((to, error) =>
+              module.calls.leadscrew_motion_plan_changed(motion, times, factors, changes.length, to, error),
+            ),
+        ),
+    );
     module.calls.leadscrew_motion_free(motion);
     return trajectory;
   }
@@ -285,10 +330,10 @@ export class Planner implements PlannerCalls {
     this.begin("looking");
     const figures = module.figuresOf(trajectory);
     const limits = task.limits;
-    this.planned = { trajectory, figures, limits, period };
+    this.planned = { task, trajectory, figures, limits, period };
     module.calls.leadscrew_trajectory_blocks(trajectory, module.calls.leadscrew_page_on_block(), 0, 0);
     const blocks = this.blocks.done();
-    const all = { module, trajectory, period, figures, blocks, limits, override: task.override };
+    const all = { module, trajectory, period, figures, blocks, limits, factorAt: factorsOf(task) };
     const samples = samplesOf(all, most, (share) => this.told("looking", share));
     const path = pathOf(samples, blocks);
     return {
@@ -302,6 +347,7 @@ export class Planner implements PlannerCalls {
       lost: lostOf(blocks, mostLosses),
       ...this.taken,
       poles: polesOf(samples),
+      deviations: undefined,
     };
   }
 }

@@ -44,6 +44,7 @@ export class PlannerClient implements PlannerCalls {
   readonly words: PlannerCalls["words"] = (task) => this.call("words", [task]);
   readonly circle: PlannerCalls["circle"] = (task) => this.call("circle", [task]);
   readonly slides: PlannerCalls["slides"] = (task, loops) => this.call("slides", [task, loops]);
+  readonly judged: PlannerCalls["judged"] = (most) => this.call("judged", [most]);
   readonly trace: PlannerCalls["trace"] = () => this.call("trace", []);
   readonly steps: PlannerCalls["steps"] = (clock) => this.call("steps", [clock]);
   readonly explain: PlannerCalls["explain"] = (block) => this.call("explain", [block]);

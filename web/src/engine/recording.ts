@@ -15,7 +15,7 @@ import {
   type Smoothing,
   type StepRule,
 } from "./motion_types";
-import { lostOf, pathOf, polesOf, rangesOf } from "./path";
+import { deviationsOf, lostOf, pathOf, polesOf, rangesOf, sharesOf } from "./path";
 import { blockFinder, settleBegins, timeOfWord } from "./sampling";
 
 interface Ratios {
@@ -81,6 +81,8 @@ interface RecordedSamples {
   readonly line: string;
   readonly hold: string;
   readonly hold_axis: string;
+  readonly distance: string;
+  readonly tolerance: string;
 }
 
 interface RecordedBlocks {
@@ -274,6 +276,8 @@ export function planOf(recording: Recording, equipment: Equipment): Plan {
   const blocks = blocksOf(recording.blocks);
   const samples = samplesOf(recording.samples, blocks, result);
   const path = pathOf(samples, blocks);
+  const judged = { distance: floats(recording.samples.distance), tolerance: floats(recording.samples.tolerance) };
+  path.share = sharesOf(path, judged);
   return {
     period: result.period_s,
     figures: figuresOf(result),
@@ -285,6 +289,7 @@ export function planOf(recording: Recording, equipment: Equipment): Plan {
     lost: lostOf(blocks, mostLosses),
     ...equipment,
     poles: polesOf(samples),
+    deviations: deviationsOf(samples, blocks, judged),
   };
 }
 

@@ -1,7 +1,7 @@
 // A trajectory at equal steps of time, and its blocks, as arrays that a page may draw from.
 
 import * as layout from "./layout";
-import type { Blocks, Figures, Limits, Samples } from "./motion_types";
+import type { Blocks, Figures, Limits, Samples, Task } from "./motion_types";
 import type { MotionModule } from "./motion_module";
 
 /** Takes blocks as they come. */
@@ -60,7 +60,16 @@ export interface Sampled {
   readonly figures: Figures;
   readonly blocks: Blocks;
   readonly limits: Limits;
-  readonly override: number;
+  /** By which feed is multiplied there, asked for in the order of time; 0 holds. */
+  readonly factorAt: (time: number) => number;
+}
+
+export function factorsOf({ override, changes }: Pick<Task, "override" | "changes">): (time: number) => number {
+  let [next, factor] = [0, override];
+  return (time) => {
+    for (; (changes[next]?.time ?? Infinity) < time; ++next) factor = changes[next]?.factor ?? factor;
+    return factor;
+  };
 }
 
 /** Of a word, s: the double nearest to so many periods, which are whole nanoseconds; as the command writes it. */
@@ -82,11 +91,16 @@ export function settleBegins(begin: number[] | Float64Array, seconds: ArrayLike<
   for (let i = 1; i < begin.length; ++i) if (seconds[i] === 0) begin[i] = (begin[i - 1] ?? 0) + (seconds[i - 1] ?? 0);
 }
 
+/** A sample is every so many-th word, and how many there are with the last: at most `most` and one. */
+export function spacingOf(words: number, most: number): readonly [every: number, count: number] {
+  const every = Math.max(1, Math.ceil(words / most));
+  return [every, Math.ceil(words / every) + 1];
+}
+
 /** At most `most` of them; `progress` hears the share done. */
 export function samplesOf(of: Sampled, most: number, progress: (share: number) => void): Samples {
   const { module, trajectory, blocks, limits } = of;
-  const every = Math.max(1, Math.ceil(of.figures.words / most));
-  const count = Math.ceil(of.figures.words / every) + 1;
+  const [every, count] = spacingOf(of.figures.words, most);
   const axes = axesOf(limits);
   const samples = {
     count,
@@ -118,9 +132,9 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     samples.poleAngle[i] = module.number(at + of.poleAngle);
     samples.tool[i] = module.view.getInt32(at + of.tool, true);
   };
-  const takeHold = (i: number, state: number, at: number): void => {
-    const asked = blocks.feedAsked[block] || Infinity; // in a dwell nothing is asked
-    module.calls.leadscrew_trajectory_hold(trajectory, state, asked * of.override, at, 0);
+  const takeHold = (i: number, time: number, state: number, at: number): void => {
+    const asked = (blocks.feedAsked[block] ?? 0) * of.factorAt(time) || Infinity; // in a dwell, and held, nothing is asked
+    module.calls.leadscrew_trajectory_hold(trajectory, state, asked, at, 0);
     const axis = axes.indexOf(module.view.getInt32(at + layout.hold.axis, true));
     samples.hold[i] = module.view.getInt32(at + layout.hold.kind, true);
     samples.holdAxis[i] = Math.max(axis, 0);
@@ -143,7 +157,7 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
       samples.line[i] = module.integer(at + layout.state.line);
       block = blockAt(time);
       samples.block[i] = block;
-      takeHold(i, at, hold);
+      takeHold(i, time, at, hold);
       takePose(i, time, pose);
     }
   };

@@ -1,6 +1,6 @@
 // Colours of a path: a scale from slow to fast, and one each for what holds motion.
 
-import { holds, parts, type PathData } from "../engine/motion_types";
+import { holds, parts, type PathData, type Plan } from "../engine/motion_types";
 import type { Colouring } from "./settings";
 
 type Rgb = readonly [number, number, number];
@@ -73,6 +73,13 @@ export interface Look {
   readonly isDark: boolean;
 }
 
+/** Values of the ends of a plan's scale: a tolerance is all of it, unless it is not kept. */
+export function rangeOf(plan: Plan, colouring: Colouring): readonly [number, number] {
+  if (colouring === "limit" || colouring === "part") return [0, 1];
+  if (colouring === "deviation") return [0, Math.max(1, plan.deviations?.share ?? 0)];
+  return plan.ranges[colouring];
+}
+
 /** A colour for each shade of a scale, for each way in which motion is held, or for each part of machining a surface. */
 function tableOf({ colouring, isDark }: Look): Rgb[] {
   if (colouring === "limit") return holds.map((_, hold) => holdColour(hold, isDark));
@@ -80,16 +87,22 @@ function tableOf({ colouring, isDark }: Look): Rgb[] {
   return [...Array(shades).keys()].map((i) => scaleColour(i / (shades - 1), isDark));
 }
 
+function valuesOf(path: PathData, colouring: Colouring): Uint8Array | Float32Array {
+  if (colouring === "limit") return path.hold;
+  if (colouring === "part") return path.part;
+  return colouring === "deviation" ? path.share : path.values[colouring];
+}
+
 /** Of the vertices, three numbers each. */
 export function coloursOf(path: PathData, look: Look): Float32Array {
   const table = Float32Array.from(tableOf(look).flat());
   const colours = new Float32Array(path.samples.length * 3);
   const { colouring } = look;
-  const values = colouring === "limit" ? path.hold : colouring === "part" ? path.part : path.values[colouring];
+  const values = valuesOf(path, colouring);
   const isKind = colouring === "limit" || colouring === "part";
   const [least, greatest] = isKind ? [0, table.length / 3 - 1] : look.range;
   const scale = (table.length / 3 - 1) / (greatest - least);
-  for (let v = 0; v < values.length; ++v) {
+  for (let v = 0; v < path.samples.length; ++v) {
     const entry = Math.round(Math.min(Math.max((values[v] ?? 0) - least, 0), greatest - least) * scale);
     for (let i = 0; i < 3; ++i) colours[v * 3 + i] = table[entry * 3 + i] ?? 0;
   }

@@ -35,6 +35,13 @@ function heldBy(hold: (typeof holds)[number], axis: string): string {
   return hold === "feed" || hold === "rest" ? hold : `${hold} ${axis}`;
 }
 
+/** Where it has been judged. */
+function offPath({ deviations: of }: Plan, sample: number): [string, string][] {
+  if (of === undefined) return [];
+  const [distance, tolerance] = [of.distance[sample] ?? 0, of.tolerance[sample] ?? 0];
+  return [["Off the program, µm", `${fixed(distance * 1000, 2)} of ${fixed(tolerance * 1000, 1)}`]];
+}
+
 export class FiguresPanel {
   readonly figures = list("figures", "Figures of the motion");
   readonly now = list("now", "Now");
@@ -76,6 +83,7 @@ export class FiguresPanel {
       ["Feed, mm/min", fixed((samples.feed[sample] ?? 0) * 60, 0)],
       ["Asked", isRapid(samples, blocks, sample) ? "rapid" : fixed(asked * 60, 0)],
       ["Held by", heldBy(hold, axis)],
+      ...offPath(plan, sample),
     ]);
   }
 }

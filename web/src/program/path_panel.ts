@@ -3,7 +3,7 @@
 import { holds, parts, type Plan } from "../engine/motion_types";
 import { fixed, html } from "../ui/dom";
 import { views, type View } from "./camera";
-import { css, holdColour, partColour, scaleColour } from "./colours";
+import { css, holdColour, partColour, rangeOf, scaleColour } from "./colours";
 import { colourings, type Colouring, type Settings } from "./settings";
 import { PathView } from "./view";
 
@@ -11,6 +11,7 @@ const names: Readonly<Record<Colouring, string>> = {
   speed: "Feed",
   acceleration: "Acceleration",
   jerk: "Jerk",
+  deviation: "Distance to tolerance",
   limit: "What holds it",
   part: "Pass and link",
   line: "Line",
@@ -19,6 +20,7 @@ const units: Readonly<Record<Colouring, string>> = {
   speed: "mm/min",
   acceleration: "mm/s²",
   jerk: "mm/s³",
+  deviation: "% of the tolerance",
   limit: "",
   part: "",
   line: "",
@@ -44,6 +46,8 @@ const partNames: Readonly<Record<(typeof parts)[number], string>> = {
 export interface PathCalls {
   picked(sample: number): void;
   coloured(colouring: Colouring): void;
+  /** How far the plan is from its program is to be shown, and has not been judged yet. */
+  unjudged(): void;
   /** The programmed contour is to be shown, or no more. */
   contoured(isShown: boolean): void;
   /** It is seen from elsewhere, as `view.seen` says. */
@@ -54,6 +58,21 @@ function keyOf(background: string, name: string): HTMLElement {
   const chip = html("span", { class: "chip" });
   chip.style.background = background;
   return html("span", { class: "key" }, chip, name);
+}
+
+/** 0.0123 mm as 12.3 µm. */
+export function micrometres(mm: number): string {
+  return `${Number((mm * 1000).toPrecision(3))} µm`;
+}
+
+/** The tolerance that is 100 %, and how near motion comes to it. */
+function deviationText({ deviations: of, samples, blocks }: Plan): string {
+  if (of === undefined) return "is being judged";
+  const [least, greatest] = of.tolerances.map(micrometres);
+  const tolerance = least === greatest ? least : `${least} to ${greatest}`;
+  const line = blocks.line[samples.block[of.worst] ?? 0] ?? 0;
+  const far = micrometres(of.distance[of.worst] ?? 0);
+  return `100 % is ${tolerance}; nearest to it ${far}, ${fixed(of.share * 100, 0)} %, line ${line}`;
 }
 
 export class PathPanel {
@@ -77,7 +96,7 @@ export class PathPanel {
     for (const each of colourings) this.choice.append(new Option(names[each], each));
   }
 
-  element(playback: HTMLElement, now: HTMLElement): HTMLElement {
+  element(now: HTMLElement, ...below: readonly HTMLElement[]): HTMLElement {
     const seen = (Object.keys(views) as View[]).map((view) =>
       html("button", { type: "button", id: `view-${view}`, click: () => this.view.look(view) }, views[view].name),
     );
@@ -104,7 +123,7 @@ export class PathPanel {
       ),
       html("div", { class: "stage" }, this.view.element, now),
       this.legend,
-      playback,
+      ...below,
     );
   }
 
@@ -141,14 +160,26 @@ export class PathPanel {
     const ramp = html("span", { class: "ramp" });
     const stops = [...Array(11).keys()].map((i) => css(scaleColour(i / 10, isDark)));
     ramp.style.background = `linear-gradient(90deg, ${stops.join(", ")})`;
-    const scale = colouring === "speed" ? 60 : 1;
-    const [least, greatest] = plan.ranges[colouring];
+    const scale = colouring === "speed" ? 60 : colouring === "deviation" ? 100 : 1;
+    const [least, greatest] = rangeOf(plan, colouring);
     this.legend.replaceChildren(
       html("span", { class: "number" }, fixed(least * scale, 0)),
       ramp,
       html("span", { class: "number" }, `${fixed(greatest * scale, 0)} ${units[colouring]}`),
+      ...(colouring === "deviation" ? [html("span", { id: "deviation" }, deviationText(plan))] : []),
       ...dashed,
     );
+  }
+
+  /** Of the plan that is shown. */
+  judge(plan: Plan): void {
+    this.view.judge(plan);
+    this.showLegend(plan);
+  }
+
+  private askForJudgement(): void {
+    const { plan } = this;
+    if (plan !== undefined && plan.deviations === undefined && this.choice.value === "deviation") this.calls.unjudged();
   }
 
   private showContour(): void {
@@ -162,5 +193,6 @@ export class PathPanel {
     this.view.paint(colouring);
     this.showLegend(this.plan);
     this.calls.coloured(colouring);
+    this.askForJudgement();
   }
 }

@@ -3,6 +3,7 @@
 
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { Diagnostic, Gouge, Limits, LoopOptions, Plan, Slides, Task } from "../engine/motion_types";
+import type { Judged } from "../engine/judging";
 import { askedOf, diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
 import { asAsked, copied, fromLink, isAsBegun, plannedMachine, toLink, type Origin, type Settings } from "./settings";
 
@@ -58,8 +59,8 @@ export class Planning {
 
   /** What is set, as the engine is asked for it. */
   private get task(): Task {
-    const { text, limits, tools, override, asked } = this.settings;
-    return { text, machine: plannedMachine(this.settings), limits, tools, override: override / 100, asked };
+    const { text, limits, tools, override, changes, asked } = this.settings;
+    return { text, machine: plannedMachine(this.settings), limits, tools, override: override / 100, changes, asked };
   }
 
   /** What is shown as it was recorded: nothing of it has been changed. */
@@ -89,6 +90,11 @@ export class Planning {
 
   async gouges(): Promise<readonly Gouge[] | Diagnostic | undefined> {
     return await unlessCancelled(this.planner.gouges(this.task));
+  }
+
+  /** How far the last plan is from its program. */
+  async judged(): Promise<Judged | Diagnostic | undefined> {
+    return await unlessCancelled(this.planner.judged(mostSamples));
   }
 
   /** Every word of the last plan, or of what was recorded. */

@@ -5,12 +5,21 @@ import { icon, redrawIcon } from "../ui/icons";
 
 const speeds = ["0.01", "0.1", "0.25", "0.5", "1", "2", "5", "10", "50"] as const;
 
+/** Where playback is, s; how long it has stood at the end though it would play on, s; and whether it plays, or would. */
+export interface Instant {
+  readonly time: number;
+  readonly waited: number;
+  readonly plays: boolean;
+}
+
 export class Playback {
   readonly element: HTMLElement;
   time = 0;
   private duration = 0;
   private period = 0.001;
   private direction = 0;
+  /** When it played to the end, where it still stands there; ms of the browser's clock. */
+  private ended: number | undefined;
   private frame = 0;
   private readonly scrub = html("input", {
     type: "range",
@@ -58,6 +67,7 @@ export class Playback {
 
   seek(time: number): void {
     this.time = Math.min(Math.max(time, 0), this.duration);
+    this.ended = undefined;
     this.show();
     this.moved(this.time);
   }
@@ -74,13 +84,40 @@ export class Playback {
     if (!isSame) this.play(direction);
   }
 
+  get now(): Instant {
+    const passed = this.ended === undefined ? 0 : (performance.now() - this.ended) / 1000;
+    const waited = passed * Number(this.speed.value);
+    return { time: this.time, waited, plays: this.isPlaying || this.ended !== undefined };
+  }
+
   get isPlaying(): boolean {
     return this.direction !== 0;
+  }
+
+  /** Where no control has these keys. */
+  key(event: KeyboardEvent): void {
+    const target = event.target as HTMLElement;
+    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input, select, textarea, .space, .table"))
+      return;
+    if (target.closest(".cm-editor") !== null) return;
+    const many = event.shiftKey ? 100 : 1;
+    const actions: Readonly<Record<string, () => void>> = {
+      ArrowRight: () => this.step(many),
+      ArrowLeft: () => this.step(-many),
+      Home: () => this.seek(0),
+      End: () => this.seek(Infinity),
+      ...(target.matches("button, a, summary") ? {} : { " ": () => this.toggle(1) }),
+    };
+    const action = actions[event.key];
+    if (action === undefined) return;
+    event.preventDefault();
+    action();
   }
 
   stop(): void {
     cancelAnimationFrame(this.frame);
     this.direction = 0;
+    this.ended = undefined;
     this.show();
   }
 
@@ -94,7 +131,11 @@ export class Playback {
       const passed = Math.max(now - last, 0); // a frame may have begun before the button was pressed
       this.seek(this.time + (direction * Number(this.speed.value) * passed) / 1000);
       last = now;
-      if (direction < 0 ? this.time <= 0 : this.time >= this.duration) return this.stop();
+      if (direction < 0 ? this.time <= 0 : this.time >= this.duration) {
+        this.stop();
+        if (direction > 0) this.ended = now;
+        return;
+      }
       this.frame = requestAnimationFrame(go);
     };
     this.frame = requestAnimationFrame(go);

@@ -7,6 +7,7 @@ const names: Readonly<Record<Phase, string>> = {
   reading: "Reading",
   planning: "Planning",
   looking: "Looking at each period",
+  judging: "Judging each word",
 };
 const patience = 300; // ms before anything is shown
 

@@ -38,6 +38,11 @@ export class SceneClient {
     this.worker.postMessage({ path, surfaces, contour } satisfies SceneRequest, buffersOf(path));
   }
 
+  /** How far each vertex is from the program, of its tolerance. */
+  judge(share: Float32Array): void {
+    this.send({ share });
+  }
+
   paint(look: Look, hasContour: boolean): void {
     const contour = hasContour ? colour("ink") : undefined;
     this.send({ look, paints: { rapid: colour("truth"), surface: colour("truth"), contour } });

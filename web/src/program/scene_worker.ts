@@ -9,6 +9,7 @@ export type SceneRequest =
   | { readonly canvas: OffscreenCanvas }
   | { readonly width: number; readonly height: number; readonly ratio: number }
   | { readonly path: PathData; readonly surfaces: readonly SurfaceMesh[]; readonly contour: Float32Array }
+  | { readonly share: Float32Array }
   | { readonly look: Look; readonly paints: Paints }
   | { readonly camera: Camera; readonly paper: string };
 /** A picture has been drawn. */
@@ -23,6 +24,8 @@ self.onmessage = ({ data }: MessageEvent<SceneRequest>) => {
   } else if ("path" in data) {
     path = data.path;
     scene?.load(path, data.surfaces, data.contour);
+  } else if ("share" in data) {
+    if (path !== undefined) path.share = data.share;
   } else if ("look" in data) {
     if (path !== undefined) scene?.paint(coloursOf(path, data.look), data.paints);
   } else if ("width" in data) {

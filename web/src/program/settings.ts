@@ -1,11 +1,11 @@
 // What the reader has set, and the link that brings it back.
 
-import { axisLetters, type Asked, type Diagnostic, type Limits } from "../engine/motion_types";
+import { axisLetters, type Asked, type Diagnostic, type FeedChange, type Limits } from "../engine/motion_types";
 import { exampleOf, examples } from "./examples";
 import { packed, unpacked } from "../ui/packing";
 import { loopsOf, textOf as textOfLoops, type LoopSettings } from "./loops";
 
-export const colourings = ["speed", "acceleration", "jerk", "limit", "part", "line"] as const;
+export const colourings = ["speed", "acceleration", "jerk", "deviation", "limit", "part", "line"] as const;
 export type Colouring = (typeof colourings)[number];
 
 export interface Settings {
@@ -20,6 +20,8 @@ export interface Settings {
   tools: string;
   /** Of the feed, %. */
   override: number;
+  /** Of the feed, while motion is under way. */
+  changes: readonly FeedChange[];
   colouring: Colouring;
   /** The contour that is programmed is drawn where cutter compensation leads the tool beside it. */
   hasContour: boolean;
@@ -94,6 +96,7 @@ export async function toLink(settings: Settings, machine: Limits, origin?: Origi
     if (settings.limits[name].join() !== machine[name].join()) link.set(short, settings.limits[name].join("_"));
   if (settings.limits.tolerance !== machine.tolerance) link.set("tol", String(settings.limits.tolerance));
   if (settings.override !== 100) link.set("o", String(settings.override));
+  if (settings.changes.length > 0) link.set("feed", settings.changes.map(textOfChange).join("_"));
   if (settings.loops !== undefined) link.set("loops", textOfLoops(settings.loops));
   if (settings.seen !== "") link.set("v3", settings.seen);
   if (settings.stretch !== undefined)
@@ -102,6 +105,22 @@ export async function toLink(settings: Settings, machine: Limits, origin?: Origi
   if (!settings.hasContour) link.set("g41", "0");
   link.set("t", settings.time.toFixed(3));
   return `#${link.toString()}`;
+}
+
+function textOfChange({ time, factor }: FeedChange): string {
+  return `${Number(time.toFixed(6))}:${Number(factor.toFixed(4))}`;
+}
+
+/** None where one of them is none. */
+function changesOf(text: string): FeedChange[] {
+  if (text === "") return [];
+  const changes = text.split("_").map((each) => {
+    const [time = NaN, factor = NaN] = each.split(":").map(Number);
+    return { time, factor };
+  });
+  const isOne = ({ time, factor }: FeedChange, i: number): boolean =>
+    time >= (changes[i - 1]?.time ?? 0) && time < Infinity && factor >= 0 && factor <= 2;
+  return changes.every(isOne) ? changes : [];
 }
 
 function stretchOf(text: string): readonly [number, number] | undefined {
@@ -133,6 +152,7 @@ export async function fromLink(
     limits: {} as Limits,
     tools: (await textOf(link, "tools", begin.tools)).trim(),
     override: 100,
+    changes: changesOf(link.get("feed") ?? ""),
     colouring: "speed",
     hasContour: link.get("g41") !== "0",
     time: 0,
@@ -167,6 +187,7 @@ export function isAsBegun(settings: Settings, machine: Limits, origin: Origin): 
     settings.machine === origin.machine &&
     settings.tools === origin.tools &&
     settings.override === 100 &&
+    settings.changes.length === 0 &&
     isMachine(settings.limits, machine)
   );
 }

@@ -4,7 +4,7 @@ import { CanvasPicture, SvgPicture, type Picture } from "../draw/picture";
 import type { Gouge, PathData, Plan } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import { fit, pan, projector, turn, views, zoom, type Camera, type View } from "./camera";
-import { coloursOf, type Look } from "./colours";
+import { coloursOf, rangeOf, type Look } from "./colours";
 import { Overlay, type StandingTool } from "./overlay";
 import { drawPath } from "./path_picture";
 import { SceneClient } from "./scene_client";
@@ -94,6 +94,13 @@ export class PathView {
     this.draw();
   }
 
+  /** The plan has been judged. */
+  judge(plan: Plan): void {
+    if (plan !== this.plan) return;
+    this.scene?.judge(plan.path.share);
+    this.repaint();
+  }
+
   /** What the program tells where cutter compensation is on. */
   showContour(isShown: boolean): void {
     this.hasContour = isShown;
@@ -170,9 +177,7 @@ export class PathView {
 
   private lookOf(plan: Plan): Look {
     const isDark = getComputedStyle(document.documentElement).colorScheme === "dark";
-    const range =
-      this.colouring === "limit" || this.colouring === "part" ? ([0, 1] as const) : plan.ranges[this.colouring];
-    return { colouring: this.colouring, range, isDark };
+    return { colouring: this.colouring, range: rangeOf(plan, this.colouring), isDark };
   }
 
   private drawOn(picture: Picture, tool: StandingTool | undefined): void {

@@ -2,12 +2,13 @@
 
 import type { PlannerClient } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
-import type { Diagnostic, Gouge, Limits, Phase, Plan } from "../engine/motion_types";
-import { sampleAt, timeOf, timeOfLine, toolOfLine, type ToolAt } from "../engine/path";
+import type { Diagnostic, FeedChange, Gouge, Limits, Phase, Plan } from "../engine/motion_types";
+import { sampleAt, takeJudged, timeOf, timeOfLine, toolOfLine, type ToolAt } from "../engine/path";
 import type { Recording } from "../engine/recording";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
+import { Address } from "./address";
 import { Editor } from "./editor";
 import type { Example } from "./examples";
 import { FiguresPanel, LossTable } from "./figures";
@@ -16,7 +17,9 @@ import { GougePanel } from "./gouge_panel";
 import { JudgedPanel } from "./judged";
 import { LivePanel, type LiveTexts } from "./live_panel";
 import { LoopPanel } from "./loop_panel";
+import { FeedPanel } from "./feed_panel";
 import { MachineForm } from "./machine_form";
+import { ModesPanel } from "./modes_panel";
 import { Playback } from "./playback";
 import { Plots } from "./plots";
 import { PathPanel } from "./path_panel";
@@ -30,7 +33,6 @@ export class Workbench implements Mode {
   private plan: Plan | undefined;
   private sample = 0;
   private line = 0;
-  private linkTimer = 0;
   private followed: { readonly plan: Plan; readonly line: number; readonly tool: ToolAt } | undefined;
   private isNewText = true;
   private readonly editor: Editor;
@@ -41,11 +43,17 @@ export class Workbench implements Mode {
     (time) => this.playback.seek(time),
     (stretch) => {
       this.settings.stretch = stretch;
-      this.keepLink();
+      this.address.keep();
     },
   );
   private readonly playback: Playback = new Playback((time) => this.stand(time));
   private readonly figures = new FiguresPanel();
+  private readonly address = new Address(() => this.planning.link());
+  private readonly modes = new ModesPanel();
+  private readonly feed = new FeedPanel({
+    changed: (changes) => void this.changeFeed(changes),
+    now: () => this.playback.now,
+  });
   private readonly losses = new LossTable((line, time) => this.goTo(line, time));
   private readonly gouges = new GougePanel({
     look: () => this.lookForGouges(),
@@ -60,7 +68,7 @@ export class Workbench implements Mode {
     },
     changed: () => {
       this.settings.loops = this.loops.asked;
-      this.keepLink();
+      this.address.keep();
     },
   });
   private readonly progress = new Progress(() => this.planning.cancel());
@@ -111,16 +119,17 @@ export class Workbench implements Mode {
       picked: (sample) => this.pick(sample),
       coloured: (colouring) => {
         this.settings.colouring = colouring;
-        this.keepLink();
+        this.address.keep();
       },
+      unjudged: () => void this.judge(),
       contoured: (isShown) => {
         this.settings.hasContour = isShown;
-        this.keepLink();
+        this.address.keep();
       },
       moved: () => {
         if (this.plan === undefined) return;
         this.settings.seen = this.path.view.seen;
-        this.keepLink();
+        this.address.keep();
       },
     });
     this.element = html(
@@ -132,7 +141,7 @@ export class Workbench implements Mode {
         { class: "main" },
         this.live?.element,
         this.progress.element,
-        this.path.element(this.playback.element, this.figures.now),
+        this.path.element(this.figures.now, this.playback.element, this.feed.element, this.modes.element),
         this.plots.panel(),
         html("section", { class: "panel", "aria-label": "Figures" }, html("h2", {}, "Figures"), this.figures.figures),
         this.judged?.element,
@@ -145,7 +154,7 @@ export class Workbench implements Mode {
     planning.events = this.planningEvents();
     planner.onProgress = (phase: Phase, share: number) => this.progress.show(phase, share);
     addEventListener("hashchange", () => void this.restore());
-    document.addEventListener("keydown", (event) => this.key(event));
+    document.addEventListener("keydown", (event) => this.playback.key(event));
     this.showSettings();
     void planning.run();
   }
@@ -155,7 +164,7 @@ export class Workbench implements Mode {
       begun: (recorded) => {
         this.tell("planning");
         this.showCommand();
-        this.keepLink();
+        this.address.keep();
         if (this.judged !== undefined) this.judged.isShown = recorded !== undefined;
       },
       diagnosed: (diagnostics) => this.showDiagnostics(diagnostics),
@@ -201,7 +210,7 @@ export class Workbench implements Mode {
     this.settings.name = name;
     this.settings.text = text;
     const turned = this.settings.seen.split("_").slice(0, 2).join("_");
-    Object.assign(this.settings, { time: 0, seen: turned, stretch: undefined });
+    Object.assign(this.settings, { time: 0, seen: turned, stretch: undefined, changes: [] });
     this.isNewText = true;
     this.editor.set(text);
     void this.planning.run();
@@ -236,6 +245,16 @@ export class Workbench implements Mode {
     void this.planning.run();
   }
 
+  /** Motion goes on from the last of them, where it was going on. */
+  private async changeFeed(changes: readonly FeedChange[]): Promise<void> {
+    const { plays } = this.playback.now;
+    this.playback.stop();
+    Object.assign(this.settings, { changes, time: changes.at(-1)?.time ?? this.settings.time, stretch: undefined });
+    await this.planning.run();
+    const isShown = this.element.dataset["state"] === "ready" && this.settings.changes === changes;
+    if (plays && isShown && !this.playback.isPlaying) this.playback.toggle(1);
+  }
+
   private async restore(): Promise<void> {
     if (!(await this.planning.restore())) return;
     this.isNewText = true;
@@ -250,6 +269,20 @@ export class Workbench implements Mode {
     } finally {
       this.progress.rest("");
     }
+  }
+
+  /** Of the plan that is shown, unless it is another by then. */
+  private async judge(): Promise<void> {
+    const { plan } = this;
+    if (plan?.deviations !== undefined || this.element.dataset["state"] !== "ready") return;
+    const judged = await this.planning.judged();
+    if (judged === undefined || plan === undefined || plan !== this.plan) return;
+    this.progress.rest("code" in judged ? `The referee: ${judged.message}` : "");
+    if ("code" in judged) return;
+    takeJudged(plan, judged);
+    this.path.judge(plan);
+    this.figures.stand(plan, this.sample);
+    this.element.dataset["judged"] = String(this.planning.number);
   }
 
   /** There is no plan; what is shown of the last one stays where it is of the same text, as it was before a change. */
@@ -283,8 +316,10 @@ export class Workbench implements Mode {
     this.line = 0;
     this.isNewText = false;
     this.playback.load(plan.figures.time, plan.period, this.settings.time);
+    this.feed.show(this.settings);
     this.tell("ready");
     this.loops.planned();
+    if (this.settings.colouring === "deviation") await this.judge();
   }
 
   private tell(state: string): void {
@@ -295,6 +330,7 @@ export class Workbench implements Mode {
   private showSettings(): void {
     this.machineForm.show(this.machine, this.settings);
     this.path.show(this.settings);
+    this.feed.show(this.settings);
     this.loops.restore(this.settings.loops);
     this.program.show(this.settings);
     this.showCommand();
@@ -324,8 +360,10 @@ export class Workbench implements Mode {
     this.plots.stand(time);
     this.loops.stand(time);
     this.figures.stand(plan, this.sample);
+    this.modes.stand(plan, plan.samples.block[this.sample] ?? 0);
+    this.feed.stand(time);
     this.mark();
-    this.keepLink();
+    this.address.keep();
   }
 
   /** The line that is in motion: in the text, and along the path. */
@@ -361,34 +399,5 @@ export class Workbench implements Mode {
     this.playback.stop();
     this.playback.seek(time + 1.5 * (this.plan?.samples.step ?? 0));
     this.editor.goTo(line);
-  }
-
-  /** The browser takes a few changes of the address a second. */
-  private keepLink(): void {
-    if (this.linkTimer !== 0) return;
-    this.linkTimer = window.setTimeout(() => {
-      this.linkTimer = 0;
-      void this.planning.link().then((link) => history.replaceState(null, "", link));
-    }, 400);
-  }
-
-  /** Where no control has these keys. */
-  private key(event: KeyboardEvent): void {
-    const target = event.target as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || target.matches("input, select, textarea, .space, .table"))
-      return;
-    if (target.closest(".cm-editor") !== null) return;
-    const many = event.shiftKey ? 100 : 1;
-    const actions: Readonly<Record<string, () => void>> = {
-      ArrowRight: () => this.playback.step(many),
-      ArrowLeft: () => this.playback.step(-many),
-      Home: () => this.playback.seek(0),
-      End: () => this.playback.seek(Infinity),
-      ...(target.matches("button, a, summary") ? {} : { " ": () => this.playback.toggle(1) }),
-    };
-    const action = actions[event.key];
-    if (action === undefined) return;
-    event.preventDefault();
-    action();
   }
 }

@@ -341,7 +341,7 @@ export function taskOf(mill: Limits, state: State, lane: Lane, most: number, err
   const rule: StepRule = stepRules.find((each) => each === lane.method) ?? "arc-length";
   const text = errors.size > 0 ? "" : programOf(curve, course, feed);
   const asked: Asked = { mode: "programmed", start: curve.at(0) };
-  return { text, machine: "", limits, tools: "", override: 1, rule, asked, loops, most };
+  return { text, machine: "", limits, tools: "", override: 1, changes: [], rule, asked, loops, most };
 }
 
 /** The same of a circle by integration. */
