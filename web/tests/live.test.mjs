@@ -84,12 +84,17 @@ test("the machine is seen, its program planned, and whoever has the token contro
   assert.equal(await live(page, "Override"), "50 %");
   const pictures = join(built, "screenshots");
   mkdirSync(pictures, { recursive: true });
-  for (const width of [1280, 390]) {
-    await page.setViewportSize({ width, height: 900 });
-    await page.waitForTimeout(300);
-    await page.screenshot({ path: join(pictures, `live-${width}.png`), fullPage: true });
-    const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
-    assert.ok(over <= 0, `at ${width} px it is ${over} px too wide`);
+  for (const colorScheme of ["dark", "light"]) {
+    await page.emulateMedia({ colorScheme });
+    for (const width of [1280, 390]) {
+      await page.setViewportSize({ width, height: 900 });
+      await page.waitForTimeout(300);
+      await page.screenshot({ path: join(pictures, `live-${colorScheme}-${width}.png`), fullPage: true });
+      const over = await page.evaluate(
+        () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+      );
+      assert.ok(over <= 0, `at ${width} px it is ${over} px too wide`);
+    }
   }
   // The refusal is the one failure, and is meant.
   assert.deepEqual(

@@ -206,6 +206,34 @@ test("colours: each has its legend, and rapids are apart", async () => {
   assert.ok(shown > 0 && shown < 0.8 * fastest, `${shown} of ${fastest}`);
 });
 
+test("what is shown over time is a picture and a table", async () => {
+  const { page } = opened;
+  await choose(page, "04-square");
+  const words = rowsOf(await downloaded(page, "export-csv"));
+  const all = rowsOf(await downloaded(page, "times-csv"));
+  assert.deepEqual(all.columns.slice(0, 6), ["t", "line", "feed", "X", "Y", "Z"]);
+  assert.equal(all.rows.length, words.rows.length);
+  const [x, vx, wordX] = [all.columns.indexOf("X"), all.columns.indexOf("vX"), words.columns.indexOf("X")];
+  all.rows.forEach((row, i) => assert.equal(row[x], words.rows[i][wordX]));
+  // Velocities are those of the positions, half a period aside.
+  for (const i of [50, 200, 400])
+    assert.ok(Math.abs((all.rows[i + 1][x] - all.rows[i - 1][x]) / 2e-3 - all.rows[i][vx]) < 0.05, `row ${i}`);
+  await setTime(page, 0.3);
+  await page.click("#time-near");
+  const near = rowsOf(await downloaded(page, "times-csv"));
+  assert.ok(near.rows.length < all.rows.length / 2 && near.rows[0][0] > 0.2, `${near.rows.length} rows`);
+  const svg = await downloaded(page, "times-svg");
+  for (const text of ["velocity, mm/s", "acceleration, mm/s²", "jerk, mm/s³", "feed"])
+    assert.ok(svg.includes(text), text);
+  assert.ok((svg.match(/<polyline/g) ?? []).length > 20);
+  const folder = join(built, "screenshots");
+  mkdirSync(folder, { recursive: true });
+  await page.click("#time-all");
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#times-png")]);
+  assert.equal(download.suggestedFilename(), "04-square.time.png");
+  await download.saveAs(join(folder, "over-time.png"));
+});
+
 const blocks = 100_000;
 const large = (() => {
   const lines = ["G21 G90 G64 P0.01 F3000"];

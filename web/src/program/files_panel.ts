@@ -5,6 +5,13 @@ import type { Diagnostic, Limits } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import { commandOf, type Settings } from "./settings";
 
+export interface TimesEvents {
+  svgText(): string;
+  pngBlob(): Promise<Blob>;
+  /** A row a sample; undefined where there is no motion. */
+  csv(): Blob | undefined;
+}
+
 export interface FilesEvents {
   /** Every word; undefined where there is no motion. */
   trace(): Promise<Blob | undefined>;
@@ -13,6 +20,8 @@ export interface FilesEvents {
   /** The path as it is seen. */
   svg(): string;
   png(): Promise<Blob>;
+  /** What is shown over time. */
+  times: TimesEvents;
 }
 
 export class FilesPanel {
@@ -41,6 +50,9 @@ export class FilesPanel {
       save("export-vcd", "Pulses, VCD", "vcd", "text/plain", () => this.sound(events.steps())),
       save("export-svg", "Path, SVG", "svg", "image/svg+xml", () => events.svg()),
       save("export-png", "Path, PNG", "png", "image/png", () => events.png()),
+      save("times-svg", "Over time, SVG", "time.svg", "image/svg+xml", () => events.times.svgText()),
+      save("times-png", "Over time, PNG", "time.png", "image/png", () => events.times.pngBlob()),
+      save("times-csv", "Over time, CSV", "time.csv", "text/csv", () => events.times.csv()),
       html(
         "button",
         { type: "button", id: "copy-link", click: () => void navigator.clipboard?.writeText(location.href) },
@@ -76,6 +88,7 @@ export class FilesPanel {
       command.includes("--machine") ? "machine.toml is what Save gives under Machine." : "",
       command.includes("--tools") ? "tools.tbl is the table of tools there." : "",
       settings.override === 100 ? "" : "The command runs at a feed override of 100 %.",
+      settings.changes.length === 0 ? "" : "It knows nothing of feed that is held or turned on the way.",
     ]
       .join(" ")
       .trim();

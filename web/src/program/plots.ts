@@ -1,20 +1,13 @@
 // Velocity, acceleration and jerk over time, one above the other, with one cursor and one stretch of time.
 
 import uPlot from "uplot";
+import { CanvasPicture, SvgPicture } from "../draw/picture";
 import { axisLetters, type Plan } from "../engine/motion_types";
 import { html } from "../ui/dom";
 import { colour } from "../ui/theme";
-import { envelopeOf, type Channel } from "./envelope";
+import { axisColour, drawTimes, pointsOf, timePicture, timeRows, timesCsv } from "./time_picture";
 
-const rows = [
-  { name: "velocity", unit: "mm/s" },
-  { name: "acceleration", unit: "mm/s²" },
-  { name: "jerk", unit: "mm/s³" },
-] as const;
 const height = 132;
-/** Of X, Y, Z, and of those that turn. */
-const axisColours = ["x", "y", "good", "warm", "quiet", "accent-strong"] as const;
-
 function short(value: number): string {
   return Math.abs(value) >= 10_000 ? `${value / 1000}k` : String(value);
 }
@@ -23,7 +16,7 @@ export class Plots {
   /** What the colours of the lines mean. */
   readonly keys = html("div", { class: "time-keys" });
   readonly element = html("div", { class: "plots", id: "plots", role: "group", "aria-label": "Motion over time" });
-  private readonly frames = rows.map(({ name, unit }) =>
+  private readonly frames = timeRows.map(({ name, unit }) =>
     html(
       "figure",
       { class: "plot", "data-name": name, role: "img", "aria-label": `${name} of the axes over time` },
@@ -69,14 +62,14 @@ export class Plots {
       this.stretch = [0, Math.max(plan.figures.time, plan.samples.step)];
       this.clear();
     };
-    return [begin, ...rows.map((_, row) => () => this.add(row))];
+    return [begin, ...timeRows.map((_, row) => () => this.add(row))];
   }
 
   /** Colours and legends are the plots' own: made anew. */
   redraw(): void {
     if (this.plan === undefined) return;
     this.clear();
-    rows.forEach((_, row) => this.add(row));
+    timeRows.forEach((_, row) => this.add(row));
   }
 
   stand(time: number): void {
@@ -92,6 +85,26 @@ export class Plots {
     this.plots.forEach((_, row) => this.fill(row));
     const isAll = this.stretch[0] === 0 && this.stretch[1] === end;
     this.stretched(isAll ? undefined : this.stretch);
+  }
+
+  svgText(): string {
+    const picture = new SvgPicture(timePicture.width, timePicture.height, "Motion over time");
+    if (this.plan !== undefined) drawTimes(picture, this.plan, this.stretch, this.time);
+    return picture.toString();
+  }
+
+  async pngBlob(): Promise<Blob> {
+    const canvas = document.createElement("canvas");
+    const picture = new CanvasPicture(canvas, timePicture.width, timePicture.height, 2);
+    if (this.plan !== undefined) drawTimes(picture, this.plan, this.stretch, this.time);
+    return await new Promise((resolve, reject) =>
+      canvas.toBlob((blob) => (blob === null ? reject(new Error("no picture")) : resolve(blob)), "image/png"),
+    );
+  }
+
+  /** What is shown, a row a sample. */
+  csv(): Blob | undefined {
+    return this.plan === undefined ? undefined : timesCsv(this.plan, this.stretch);
   }
 
   private clear(): void {
@@ -110,7 +123,7 @@ export class Plots {
     this.keys.replaceChildren(
       ...axes.map((axis, k) => {
         const chip = html("span", { class: "chip" });
-        chip.style.background = colour(axisColours[k % axisColours.length] ?? "x");
+        chip.style.background = axisColour(k);
         return html("span", { class: "key" }, chip, axisLetters[axis]);
       }),
       html("span", { class: "key feed" }, "feed"),
@@ -122,14 +135,7 @@ export class Plots {
     const plot = this.plots[row];
     if (plan === undefined || plot === undefined) return;
     const [from, to] = this.stretch;
-    const { samples } = plan;
-    const first = Math.max(0, Math.floor(from / samples.step));
-    const last = Math.min(samples.count - 1, Math.ceil(to / samples.step));
-    const axes = samples.axes.length;
-    const values = samples[rows[row]?.name ?? "jerk"];
-    const channels: Channel[] = samples.axes.map((_, k) => ({ values, stride: axes, offset: k }));
-    if (row === 0) channels.push({ values: samples.feed, stride: 1, offset: 0 });
-    plot.setData(envelopeOf(samples, channels, first, last) as uPlot.AlignedData, false);
+    plot.setData(pointsOf(plan, row, this.stretch) as uPlot.AlignedData, false);
     plot.setScale("x", { min: from, max: to });
   }
 
@@ -144,7 +150,7 @@ export class Plots {
     };
     const series: uPlot.Series[] = (plan?.samples.axes ?? []).map((axis, k) => ({
       label: axisLetters[axis] ?? "",
-      stroke: colour(axisColours[k % axisColours.length] ?? "x"),
+      stroke: axisColour(k),
       width: 1.5,
       points: { show: false },
     }));

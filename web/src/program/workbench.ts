@@ -83,6 +83,7 @@ export class Workbench implements Mode {
     steps: async () => (this.plan === undefined ? undefined : await this.planning.steps()),
     svg: () => this.path.view.svgText(),
     png: () => this.path.view.pngBlob(),
+    times: this.plots,
   });
 
   /** With what the command has recorded, where it has. */
