@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { seriousFindings } from "./axe.mjs";
 import { built, command, openBrowser, root } from "./browser.mjs";
-import { downloaded, figure, openProgram } from "./program.mjs";
+import { downloaded, figure, openProgram, resized } from "./program.mjs";
 
 // Along X at Y 5, for minutes: it is always stopped.
 const text = `G21 G90 F600\nG0 Y5\n${"G1 X200\nX0\n".repeat(10)}M2\n`;
@@ -64,6 +64,8 @@ test("the machine is seen, its program planned, and whoever has the token contro
     before,
   );
   assert.equal(await page.getAttribute(".program", "data-line"), await live(page, "Line"));
+  assert.equal(await figure(page, "Y", "now"), "5.000"); // where the machine is, not where the plan begins
+  assert.deepEqual([await figure(page, "Motion", "modes"), await figure(page, "Feed", "modes")], ["G1", "600 mm/min"]);
   assert.deepEqual(await seriousFindings(page), []);
 
   await page.click("#live-hold");
@@ -87,8 +89,7 @@ test("the machine is seen, its program planned, and whoever has the token contro
   for (const colorScheme of ["dark", "light"]) {
     await page.emulateMedia({ colorScheme });
     for (const width of [1280, 390]) {
-      await page.setViewportSize({ width, height: 900 });
-      await page.waitForTimeout(300);
+      await resized(page, width);
       await page.screenshot({ path: join(pictures, `live-${colorScheme}-${width}.png`), fullPage: true });
       const over = await page.evaluate(
         () => document.documentElement.scrollWidth - document.documentElement.clientWidth,

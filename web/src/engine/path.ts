@@ -166,6 +166,8 @@ export function timeOfLine(plan: Plan, line: number): number | undefined {
 export interface ToolAt {
   readonly number: number;
   readonly offset: readonly number[];
+  /** The block that is in motion. */
+  readonly block: number;
 }
 
 /** While the line is in motion, by the plan. */
@@ -176,7 +178,7 @@ export function toolOfLine(plan: Plan, line: number): ToolAt {
     const k = samples.axes.indexOf(axis);
     return k < 0 ? 0 : (samples.position[i * samples.axes.length + k] ?? 0) - place(samples, i, axis);
   });
-  return { number: samples.tool[i] ?? 0, offset };
+  return { number: samples.tool[i] ?? 0, offset, block: samples.block[i] ?? 0 };
 }
 
 const nearPole = 5; // degrees

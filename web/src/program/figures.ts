@@ -1,5 +1,6 @@
 // What the motion comes to, what the tool does now, and where time is lost.
 
+import type { LiveMachine, LiveSample } from "../engine/live_types";
 import { axisLetters, holds, type Plan } from "../engine/motion_types";
 import { isRapid } from "../engine/path";
 import { fixed, html } from "../ui/dom";
@@ -65,6 +66,15 @@ export class FiguresPanel {
         `Extent ${axisLetters[i]}`,
         `${fixed(path.least[i] ?? 0, 2)} … ${fixed(path.greatest[i] ?? 0, 2)}`,
       ]),
+    ]);
+  }
+
+  /** Of a machine that is driven: where its slides are. */
+  follow(machine: LiveMachine, sample: LiveSample): void {
+    put(this.now, [
+      ["Line", String(sample.line)],
+      ...machine.axes.map(({ name }, i): [string, string] => [name, fixed(sample.actual[i] ?? 0, 3)]),
+      ["Feed, mm/min", fixed(sample.measured_feed * 60, 0)],
     ]);
   }
 

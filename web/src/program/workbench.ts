@@ -228,7 +228,10 @@ export class Workbench implements Mode {
   /** The tool is that of the line, by the plan; where no axis turns, its offset too. */
   private follow(machine: LiveMachine, sample: LiveSample): void {
     this.playback.stop();
-    const tool = this.plan === undefined ? undefined : this.toolOf(this.plan, sample.line);
+    const { plan } = this;
+    const tool = plan === undefined ? undefined : this.toolOf(plan, sample.line);
+    if (plan !== undefined && tool !== undefined) this.modes.stand(plan, tool.block);
+    this.figures.follow(machine, sample);
     const at = (letter: string): number => sample.actual[machine.axes.findIndex(({ name }) => name === letter)] ?? 0;
     const tip = ["X", "Y", "Z"].map((letter, i) => at(letter) - (tool?.offset[i] ?? 0));
     this.path.view.standAt(sample.tip ?? tip, sample.direction ?? [0, 0, 1], tool?.number ?? 0);
