@@ -92,6 +92,21 @@ TEST(LeastTime, IsNoSlowerThanWithStopsWhereLinesTurnBack) {
   }
 }
 
+/// By random lines of which many turn back. Beside the exact middle of a line a window was allowed to be three times as fast
+/// as the feed, so that it ended in too few intervals and swung about the next line; and what was done of a long first line
+/// counted as planned ahead, so that a window ended at the corner.
+TEST(LeastTime, IsNoSlowerThanSplinesWhereSharpCornersFollowLongLines) {
+  for (const char* const lines : {"F691\nG64 P0.0952\nG1 X12.4\nG1 X11.261992 Y0.596783\n",
+                                  "F304\nG64 P0.0135\nG1 X9.08\nG1 X-29.587243 Y13.634276\n",
+                                  "F691\nG64 P0.0952\nG1 X12.4\nG1 X11.261992 Y0.596783\nG1 X18.311 Y10.798\n"}) {
+    SCOPED_TRACE(lines);
+    const std::string text = std::string("G21 G90 G17 G94 ") + lines + "M2\n";
+    const Outcome outcome = run_on(mill_of_least_time(), text);
+    EXPECT_TRUE(keeps_promises(outcome));
+    EXPECT_LE(outcome.summary.time_s, run(text).summary.time_s + 0.0005);
+  }
+}
+
 /// Found by the property above: at a slow feed and a tenth of a micrometre, hundreds of polynomials lie in an interval.
 TEST(LeastTime, KeepsJerkAlongATinyCircleAtASlowFeed) {
   std::string text =

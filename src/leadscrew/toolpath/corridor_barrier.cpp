@@ -8,8 +8,9 @@ namespace leadscrew::toolpath {
 namespace {
 
 constexpr double least_slack = 1e-12;  // relative
-// Control points that are given had another interval: so much more is allowed, in so many intervals beside them.
-constexpr double given_relaxation = 3;
+// Control points that are given had another interval, by some hundredths: so much more is allowed, in so many
+// intervals beside them. Were it much more, motion would be too fast there, in fewer intervals than its path takes.
+constexpr double given_relaxation = 1.05;
 constexpr std::size_t given_intervals = 5;
 
 constexpr std::array<double, 2> first_difference = {-1, 1};

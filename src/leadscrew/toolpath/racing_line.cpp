@@ -219,7 +219,8 @@ std::optional<RacingLine::Window> RacingLine::choose(bool all) const {
   if (all) return Window{last + 1, CorridorEnd::rest, legs_[last].length, false};
   // The last leg may still grow.
   if (last == 0 || (rest_ && last <= rest_->count)) return std::nullopt;
-  const bool is_enough = clock_[last - 1] - clock_begin_ > (stops_ahead + stops_planned) * stop_time();
+  const double done = is_moving_ ? begin_ / legs_[0].length * (clock_[0] - clock_begin_) : 0;
+  const bool is_enough = clock_[last - 1] - clock_begin_ - done > (stops_ahead + stops_planned) * stop_time();
   if (!is_enough && last < most_legs) return std::nullopt;
   return Window{last, CorridorEnd::rest, legs_[last - 1].length, true};
 }
