@@ -125,10 +125,14 @@ export function rangesOf(samples: Samples, blocks: Blocks): Plan["ranges"] {
   return { speed: of("speed"), acceleration: of("acceleration"), jerk: of("jerk"), line: of("line") };
 }
 
-/** The plan has been judged. */
-export function takeJudged(plan: Plan, judged: Judged): void {
-  plan.deviations = deviationsOf(plan.samples, plan.blocks, judged);
+/** The plan has been judged: what is told of it is found a piece at a time, and between two the page is free. */
+export async function takeJudged(plan: Plan, judged: Judged): Promise<void> {
+  const pause = (): Promise<void> => new Promise((resume) => setTimeout(resume));
+  const deviations = deviationsOf(plan.samples, plan.blocks, judged);
+  await pause();
   plan.path.share = sharesOf(plan.path, judged);
+  await pause();
+  plan.deviations = deviations;
 }
 
 /** At most `most` moves of those that lose time, the dearest first. */

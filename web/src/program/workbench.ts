@@ -283,7 +283,8 @@ export class Workbench implements Mode {
     if (judged === undefined || plan === undefined || plan !== this.plan) return;
     this.progress.rest("code" in judged ? `The referee: ${judged.message}` : "");
     if ("code" in judged) return;
-    takeJudged(plan, judged);
+    await takeJudged(plan, judged);
+    if (plan !== this.plan) return;
     this.path.judge(plan);
     this.figures.stand(plan, this.sample);
     this.element.dataset["judged"] = String(this.planning.number);
