@@ -168,5 +168,41 @@ TEST(Probe, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(problems_of(one_axis + "[probe]\nplane_mm = {A = 3}\n"), Texts{"8:13 machine-key"});
 }
 
+TEST(Spindle, IsAsItsKeysSay) {
+  const auto plain = read_machine(one_axis, "m");
+  ASSERT_TRUE(plain);
+  EXPECT_FALSE(plain->spindle);
+  EXPECT_FALSE(plain->threads_follow());
+  const auto standard = read_machine(one_axis + "[spindle]\n", "m");
+  ASSERT_TRUE(standard);
+  EXPECT_EQ(standard->spindle, machine::Spindle{});
+  EXPECT_TRUE(standard->threads_follow());
+  const auto given = read_machine(
+      one_axis + "[spindle]\nacceleration_rpm_s = 800\nnoise = 0.05\nnoise_period_s = 2.5\nseed = 7\n", "m");
+  ASSERT_TRUE(given);
+  EXPECT_EQ(given->spindle, (machine::Spindle{.acceleration = 800, .wander = 0.05, .wander_period = 2.5, .seed = 7}));
+}
+
+TEST(Spindle, IsRefusedWhereItIsWrong) {
+  const struct {
+    const char* text;
+    const char* problem;
+  } rows[] = {{"acceleration_rpm_s = 0", "8:22 machine-spindle"},
+              {"acceleration_rpm_s = nan", "8:22 machine-spindle"},
+              {"acceleration_rpm_s = inf", "8:22 machine-spindle"},
+              {"acceleration_rpm_s = \"1\"", "8:22 machine-type"},
+              {"noise = -0.01", "8:9 machine-spindle"},
+              {"noise = 0.21", "8:9 machine-spindle"},
+              {"noise = true", "8:9 machine-type"},
+              {"noise_period_s = 0", "8:18 machine-spindle"},
+              {"noise_period_s = 1001", "8:18 machine-spindle"},
+              {"seed = -1", "8:8 machine-spindle"},
+              {"seed = 1.5", "8:8 machine-type"},
+              {"speed = 5", "8:1 machine-key"}};
+  for (const auto& row : rows)
+    EXPECT_EQ(problems_of(one_axis + "[spindle]\n" + row.text + "\n"), Texts{row.problem}) << row.text;
+  EXPECT_EQ(problems_of("spindle = 5\n" + one_axis), Texts{"1:11 machine-type"});
+}
+
 }  // namespace test_values
 }  // namespace leadscrew::config::testing

@@ -14,6 +14,15 @@ inline const std::string part =
     "G21 G90 G94 G17 F3000\nG61\nG1 X30\nG2 X50 Y-20 I0 J-20\nG1 Y-40\nG64 P0.05\nG1 X20 Y-50\nG1 X0 Y-20\nG61\nG1 X0 "
     "Y0\nG3 X0 Y0 I10 J0\nM2\n";
 
+/// The built-in mill, with a spindle that takes its time and wanders.
+inline std::string machine_with_spindle() {
+  std::string text = "[spindle]\nacceleration_rpm_s = 2000\nnoise = 0.05\nnoise_period_s = 3\nseed = 7\n";
+  for (const char* axis : {"X", "Y", "Z"})
+    text += "[axis." + std::string(axis) + "]\ntravel_mm = [-500, 500]\nmax_velocity_mm_s = 200\n" +
+            "max_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\nblu_mm = 0.001\n";
+  return text;
+}
+
 struct Row {
   double t = 0, line = 0, s = 0, feed = 0;
   std::vector<double> q;

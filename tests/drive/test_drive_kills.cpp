@@ -14,8 +14,9 @@ namespace test_drive_kills {
 /// What is killed again and again.
 struct Victim {
   std::string program, period;
-  double T = 0;             ///< s
-  double longest_stop = 0;  ///< mm
+  double T = 0;              ///< s
+  double longest_stop = 0;   ///< mm
+  std::string machine = {};  ///< the built-in one where it is empty
 };
 
 /// Along a line a stop from 50 mm/s takes 2.5 mm. Some 20 ms of the part have none that begins soon.
@@ -41,11 +42,23 @@ const Victim generated = {
     "o200 endrepeat\nG0 Z4\nG38.3 Z-7\nG1 X[#5063*2] Y0\nG61\nG1 Z0\nM2\n",
     "1ms", 1e-3, 30};
 
+/// Threads that follow a spindle, and the rapids between them.
+const Victim threads = {
+    "G21 G90 G18 F3000\nM3 S400\nG0 X5 Z2\nG33 Z-20 K2\nG33 X7 Z-30 K1\nG0 X9\nZ2\nX5\nG76 P2 Z-15 I-1 J0.5 K0.9 R1 "
+    "Q29.5 E2 L3\nG1 X0 Z0\nM2\n",
+    "1ms", 1e-3, 30, machine_with_spindle()};
+
 /// Drives a program, killed again and again, until it has come to its end; returns how often it was killed.
 int drive_through_kills(const Victim& victim, unsigned seed) {
   const Folder folder;
   folder.write("part.ngc", victim.program);
-  leadscrew(folder, {"run", "part.ngc", "--trace", "run.csv", "--period", victim.period});
+  std::vector<std::string> run = {"run", "part.ngc", "--trace", "run.csv", "--period", victim.period};
+  const std::vector<std::string> on_machine = {"--machine", "machine.toml"};
+  if (!victim.machine.empty()) {
+    folder.write("machine.toml", victim.machine);
+    run.insert(run.end(), on_machine.begin(), on_machine.end());
+  }
+  leadscrew(folder, run);
   const auto path = rows_of(folder.read("run.csv"));
   std::minstd_rand random(seed);
   Row last = path.front();                    // taken by the drives
@@ -57,6 +70,7 @@ int drive_through_kills(const Victim& victim, unsigned seed) {
     std::vector<std::string> arguments = {
         "drive", "part.ngc", "--trace", "words.csv", "--axes",   "axes.csv",   has_begun ? "--resume" : "--state",
         "state", "--quiet",  "--lead",  "300ms",     "--period", victim.period};
+    if (!victim.machine.empty()) arguments.insert(arguments.end(), on_machine.begin(), on_machine.end());
     Running running(folder, arguments);
     // At any instant: while the program is read, before there are drives, on the return path, in motion.
     std::this_thread::sleep_for(longest_wait * (random() % 1000) / 1000);
@@ -113,12 +127,17 @@ TEST(Drive, GoesOnFromWhereItWasKilledInMovesThatTheReaderMakes) {
   EXPECT_GE(drive_through_kills(generated, 11), 2);
 }
 
+TEST(Drive, GoesOnFromWhereItWasKilledInThreads) {
+  EXPECT_GE(drive_through_kills(threads, 5), 2);
+}
+
 TEST(LongDrive, GoesOnFromWhereItWasKilledAHundredTimes) {
   int kills = 0;
   for (unsigned seed = 1; kills < 100 && !::testing::Test::HasFailure(); ++seed) {
     kills += drive_through_kills(arcs_and_corners, seed);
     kills += drive_through_kills(short_lines(), seed);
     kills += drive_through_kills(generated, seed);
+    kills += drive_through_kills(threads, seed);
   }
 }
 

@@ -135,12 +135,12 @@ TEST(DriveView, HoldsBehindAThread) {
   const Folder folder;
   folder.write("part.ngc", "G21 G90 G94\nS300 M3\nG33 Z-20 K1\nG1 X5 F600\nM2\n");
   OnTerminal running(folder, {"drive", "part.ngc", "--state", "state"});
-  EXPECT_TRUE(running.shows("override 100 % not obeyed (G33)"));
+  EXPECT_TRUE(running.shows("override 100 % not obeyed (in step)"));
   running.press("--");
-  EXPECT_TRUE(running.shows("override  80 % not obeyed (G33)"));
+  EXPECT_TRUE(running.shows("override  80 % not obeyed (in step)"));
   EXPECT_TRUE(running.shows("feed    300.0 /min"));
   running.press(" ");
-  EXPECT_TRUE(running.shows("hold waits (G33)"));
+  EXPECT_TRUE(running.shows("hold waits (in step)"));
   EXPECT_TRUE(running.shows("  HELD"));
   EXPECT_TRUE(running.shows("Z   -20.0000"));
   running.press(" ");

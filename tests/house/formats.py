@@ -201,6 +201,9 @@ def prepare():
     worn = (machines / "mill6.toml").read_text(encoding="utf-8")
     worn = worn.replace("[axis.A]\n", "[axis.A]\nbacklash_deg = 0.01\n").replace("[axis.X]\n", "[axis.X]\nbacklash_mm = 0.01\n")
     (scratch / "worn6.toml").write_text(worn)
+    (scratch / "thread.ngc").write_text("G21 G90\nS300 M3\nG33 Z-10 K1\nM2\n")
+    mill = (machines / "mill3.toml").read_text(encoding="utf-8")
+    (scratch / "spindle.toml").write_text(f"{mill}\n[spindle]\nnoise = 0.05\n", encoding="utf-8")
 
 
 def check_runs(schemas):
@@ -211,6 +214,7 @@ def check_runs(schemas):
     json_of(schemas, "run", "run", "turn.ngc", "--machine", "worn6.toml", "--pulses", "turn.csv")
     json_of(schemas, "run", "run", examples / "09-butterfly.ngc", "--interpolator", "uniform", status=1)
     json_of(schemas, "run", "run", "tip.ngc", "--machine", machines / "table-table-ac.toml")
+    json_of(schemas, "run", "run", "thread.ngc", "--machine", "spindle.toml")
     json_of(schemas, "runs", "run", "good.ngc", square, "bad.ngc", status=3)
     json_of(schemas, "runs", "check", "good.ngc", "bad.ngc", status=3)
     json_of(schemas, "runs", "simulate", "good.ngc", square)
@@ -573,7 +577,8 @@ def check_machine_files():
         check(re.search(rf"^{key.strip('`')} = ", five_axes, re.M), f"machines/table-table-ac.toml lacks {key}")
     run("check", "still.ngc", "--machine", machines / "table-table-ac.toml", "--quiet")
     keys = (source / "src/leadscrew/config/machine_keys.hpp").read_text(encoding="utf-8")
-    known = set(re.findall(r'"([a-z_0-9]+)"', keys)) - {"axis", "drive", "laser", "probe", "splines", "kinematics_geometry"}
+    others = {"axis", "drive", "laser", "probe", "spindle", "splines", "kinematics_geometry"}
+    known = set(re.findall(r'"([a-z_0-9]+)"', keys)) - others
     told = {key.strip("`") for _, key, _, _ in rows + chain}
     told |= {key.replace("_mm", "_deg") for key in told} & known
     check(told == known, f"machine files: {sorted(told ^ known)} stands in docs/formats.md or in machine_keys.hpp alone")

@@ -1,6 +1,6 @@
 #pragma once
 // Random programs whose moves the reader makes itself: beside a compensated contour, in canned cycles, on patterns of
-// holes, of contours that a lathe roughs, in loops and subprograms, and up to what a probe finds.
+// holes, of contours that a lathe roughs, in loops and subprograms, up to what a probe finds, and threads.
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +16,15 @@ namespace leadscrew::testing_support {
 class GeneratedProgram {
  public:
   /// What the program is of; each reads without a diagnostic.
-  enum class Kind { compensated, cycles, pattern, lathe, flow, probing };
+  enum class Kind { compensated, cycles, pattern, lathe, flow, probing, threads };
 
   GeneratedProgram(Kind kind, const machine::Machine& on) : machine(on) {
     add("G21 G90 G94 G17 F%.3f S400 M3\n", 60 * logarithmic(15, 150));
     add(any(0, 2) == 0 ? "G61\n" : "G64 P%.4f\n", between(0.002, 0.1));
     using Make = void (GeneratedProgram::*)();
     constexpr Make make[] = {&GeneratedProgram::compensated, &GeneratedProgram::cycles, &GeneratedProgram::pattern,
-                             &GeneratedProgram::lathe,       &GeneratedProgram::flow,   &GeneratedProgram::probing};
+                             &GeneratedProgram::lathe,       &GeneratedProgram::flow,   &GeneratedProgram::probing,
+                             &GeneratedProgram::threads};
     (this->*make[static_cast<std::size_t>(kind)])();
   }
 
@@ -128,6 +129,34 @@ class GeneratedProgram {
     add("#<k> = 0\no300 do\n#<k> = [#<k>+1]\nG1 X[%.4f*COS[#<k>*50]] Y[%.4f*SIN[#<k>*50]]\n", 3 * step, 3 * step);
     add("o310 if [#<k> GT 6]\no300 break\no310 endif\no300 while [#<k> LT %d]\n", any(1, 10));
     add("o400 call\nM2\n");
+  }
+
+  /// Beside a spindle that turns at S, or one that is followed.
+  void threads() {
+    if (any(0, 3) > 0) {
+      machine.spindle = machine::Spindle{.acceleration = between(1'000, 20'000),
+                                         .wander = 0.05,
+                                         .wander_period = between(0.5, 5),
+                                         .seed = static_cast<std::uint64_t>(any(0, 1'000'000))};
+    }
+    const double slowest = std::min(machine.axes[0]->velocity, machine.axes[2]->velocity);
+    const double lead = between(0.3, 2), turns = std::min(slowest * 0.6 / lead, 40.0) * between(0.3, 1);
+    add("G18 S%.2f\nG0 X6 Z2\n", 60 * turns);
+    for (int k = any(1, 4); k > 0; --k) {
+      switch (any(0, 3)) {
+        case 0:
+          add("G33 Z%.4f K%.4f\n", -between(3, 15), lead);
+          break;
+        case 1:
+          add("G33 Z-2 K%.4f\nX%.4f Z%.4f K%.4f\n", lead, between(6, 8), -between(3, 15), lead / 2);
+          break;
+        default:
+          add("G76 P%.4f Z%.4f I-1 J0.4 K0.8 R1 Q29.5 E0.8 L%d\n", lead, -between(3, 12), any(0, 4));
+      }
+      if (any(0, 2) == 0) add("M%d\n", any(3, 5));
+      add("G0 X9\nZ2\nX6\n");
+    }
+    add("G1 X0 Z0\nM2\n");
   }
 
   /// Around a ball and down to a table, and on from where they are.

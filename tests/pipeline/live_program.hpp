@@ -37,6 +37,9 @@ class LiveProgram {
         planner_(machine, base::AxisVector{}),
         controller_(machine.period, base::AxisVector{}) {
     planner_.slice(0.02);
+    if (!machine.threads_follow()) return;
+    planner_.follow_spindle();
+    controller_.follow(*machine.spindle);
   }
 
   /// Runs to the end, or as many ticks; `words` gets each. False if it has not ended by then.

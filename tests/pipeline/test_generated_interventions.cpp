@@ -8,7 +8,7 @@
 #include "live_program.hpp"
 
 // Feed override, feed hold, resume and a planner that comes late, at any instant of compensated moves, canned cycles,
-// patterns, lathe cycles, loops, subprograms and probing moves: as in all other motion, the same path within its limits.
+// patterns, lathe cycles, loops, subprograms, probing moves and threads: as in all other motion, the same path within its limits.
 
 namespace test_generated_interventions {
 
@@ -59,6 +59,10 @@ RC_GTEST_PROP(GeneratedMoves, OfLoopsAndSubprogramsKeepEveryPromise, ()) {
 }
 RC_GTEST_PROP(GeneratedMoves, ThatProbeKeepEveryPromise, ()) {
   promises_hold(Kind::probing);
+}
+
+RC_GTEST_PROP(GeneratedMoves, OfThreadsKeepEveryPromise, ()) {
+  promises_hold(Kind::threads);
 }
 
 }  // namespace test_generated_interventions

@@ -55,8 +55,8 @@ struct Event {
     /// M100 … M199, of Fanuc's and Haas' machines also lower ones; output: that number; value: P; q: Q; -1 where there is
     /// none.
     user_function,
-    /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`); 0:
-    /// motion is no longer in step. Degrees where only rotary axes move. Of G84 and G74 (output: in_tapping_cycle) it is F / S,
+    /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`) and was
+    /// not in step; 0: motion is no longer in step. Degrees where only rotary axes move. Of G84 and G74 (output: in_tapping_cycle) it is F / S,
     /// and motion waits for no index.
     spindle_in_step,
     rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again

@@ -90,7 +90,7 @@ bool DriveView::is_in_step(const realtime::Counters& counters) const {
 std::string DriveView::wait_text(const realtime::Counters& counters) const {
   const planner::AllowedOverrides& allowed = counters.allowed_overrides;
   if (wishes_.held)
-    return style_(Tone::warning, is_in_step(counters) ? "  hold waits (G33)"
+    return style_(Tone::warning, is_in_step(counters) ? "  hold waits (in step)"
                                  : allowed.hold       ? "  HELD"
                                                       : "  hold not obeyed (M53 P0)");
   if (waits_for_input_) return style_(Tone::warning, "  WAITS for an input (M66)");
@@ -123,7 +123,7 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
   std::string text = place_text();
   text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}{}", last_.word.feed * 60, wishes_.factor * 100,
-                      is_in_step(counters)              ? " not obeyed (G33)"
+                      is_in_step(counters)              ? " not obeyed (in step)"
                       : counters.allowed_overrides.feed ? ""
                                                         : " not obeyed (M49)",
                       wait_text(counters), end);

@@ -11,6 +11,8 @@
 #include <leadscrew/config/machine_keys.hpp>
 #include <leadscrew/config/probe_keys.hpp>
 #include <leadscrew/config/rotary_keys.hpp>
+#include <leadscrew/config/screw_keys.hpp>
+#include <leadscrew/config/spindle_keys.hpp>
 #include <leadscrew/config/toml_values.hpp>
 #include <map>
 #include <optional>
@@ -25,8 +27,6 @@ namespace {
 using machine::Machine;
 using Position = toml::source_position;
 namespace field = machine::field;
-
-constexpr const char* pitch_hint = "entries [position, error], such as [[-100, 0], [100, 0.012]]";
 
 /// The nearest whole number of them; empty for NaN.
 std::optional<std::int64_t> nanoseconds(double microseconds) {
@@ -49,6 +49,7 @@ class MachineReader {
       read_machine_keys(*root);
       read_laser(*root);
       read_probe(*root);
+      read_spindle(*root);
       read_axes(*root);
       read_chain(*root);
       judge();
@@ -174,6 +175,11 @@ class MachineReader {
     }
   }
 
+  void read_spindle(const toml::table& root) {
+    const toml::table* table = section(root, "spindle", "spindle", spindle_keys);
+    if (table != nullptr) machine_.spindle = read_spindle_keys(*table, told());
+  }
+
   void read_axes(const toml::table& root) {
     const toml::node* node = root.get("axis");
     if (node == nullptr) return;
@@ -249,8 +255,8 @@ class MachineReader {
 
   void read_screw(const toml::table& table, base::Axis axis) {
     machine::ScrewErrors& screw = machine_.screws[base::index(axis)];
-    screw.table = pitch_errors(table, axis, field::pitch_errors);
-    screw.backward_table = pitch_errors(table, axis, field::backward_pitch_errors);
+    screw.table = read_pitch_errors(table, axis, field::pitch_errors, told());
+    screw.backward_table = read_pitch_errors(table, axis, field::backward_pitch_errors, told());
     take(table, axis, field::backlash, screw.backlash);
     take(table, axis, field::takeup_velocity, screw.takeup_velocity);
   }
@@ -278,31 +284,6 @@ class MachineReader {
     report(code, node->source().begin, fmt::format("{} is {}", key, found),
            fmt::format("\"{}\" or \"{}\"", words[0], words[1]));
     return false;
-  }
-
-  /// What is no entry keeps its place in the list, as NaN.
-  std::vector<machine::PitchError> pitch_errors(const toml::table& table, base::Axis axis, std::string_view field) {
-    std::vector<machine::PitchError> errors;
-    const std::string_view key = axis_key_of(axis, field);
-    const toml::node* node = table.get(key);
-    if (node == nullptr) return errors;
-    if (!node->is_array()) {
-      report("machine-type", node->source().begin, fmt::format("{} is {}, not a list", key, type_text(*node)),
-             pitch_hint);
-      return errors;
-    }
-    for (const toml::node& entry : *node->as_array()) {
-      const std::size_t index = errors.size();
-      const auto pair = pair_of(entry);
-      if (pair) {
-        positions_[slot_of({.axis = axis, .field = field, .entry = index})] = entry.source().begin;
-      } else {
-        auto [message, hint] = not_a_pair(fmt::format("entry {} of {}", index + 1, key), entry, pitch_hint);
-        report("machine-type", entry.source().begin, std::move(message), std::move(hint));
-      }
-      errors.push_back(pair ? machine::PitchError{pair->front(), pair->back()} : machine::PitchError{NAN, NAN});
-    }
-    return errors;
   }
 
   /// Reports keys that are not known; returns the known ones that were probably meant.

@@ -46,16 +46,17 @@ inline constexpr std::array machine_numbers = {
 
 /// Outside tables.
 inline constexpr auto machine_keys = [] {
-  std::array<std::string_view, 12 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
+  std::array<std::string_view, 13 + machine_numbers.size()> keys = {"name", "kinematics", "period_us"};
   for (std::size_t k = 0; k < machine_numbers.size(); ++k) keys[3 + k] = machine_numbers[k].key;
-  keys[keys.size() - 9] = orientation_tolerance_key;
-  keys[keys.size() - 8] = pole_cone_key;
-  keys[keys.size() - 7] = geometry_key;
-  keys[keys.size() - 6] = dialect_key;
-  keys[keys.size() - 5] = smoothing_key;
-  keys[keys.size() - 4] = spindle_waits_key;
-  keys[keys.size() - 3] = "laser";
-  keys[keys.size() - 2] = "probe";
+  keys[keys.size() - 10] = orientation_tolerance_key;
+  keys[keys.size() - 9] = pole_cone_key;
+  keys[keys.size() - 8] = geometry_key;
+  keys[keys.size() - 7] = dialect_key;
+  keys[keys.size() - 6] = smoothing_key;
+  keys[keys.size() - 5] = spindle_waits_key;
+  keys[keys.size() - 4] = "laser";
+  keys[keys.size() - 3] = "probe";
+  keys[keys.size() - 2] = "spindle";
   keys.back() = "axis";
   return keys;
 }();
@@ -130,6 +131,10 @@ inline constexpr auto probe_keys = [] {
   return keys;
 }();
 inline constexpr std::array<std::string_view, 6> linear_axis_names = {"X", "Y", "Z", "U", "V", "W"};
+
+/// Of [spindle].
+inline constexpr std::array<std::string_view, 4> spindle_keys = {"acceleration_rpm_s", "noise", "noise_period_s",
+                                                                 "seed"};
 
 /// Every key of [axis.X], of [axis.X.drive], and those without which there is no axis.
 std::vector<std::string_view> all_axis_keys(base::Axis axis);

@@ -40,7 +40,9 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
                     static_cast<double>(slice) * setup.machine.period.seconds(),
       .least_look_ahead = options.look_ahead ? std::nullopt : std::optional(least_look_ahead),
       .lead = setup.words_in(options.lead),
-      .slice = slice};
+      .slice = slice,
+      .spindle = setup.machine.threads_follow() ? setup.machine.spindle : std::nullopt};
+  source_.planner().follow_spindle();
   runner_.emplace(runner_options, planning(std::move(may_start)), sink_.sink());
 }
 
@@ -108,12 +110,18 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
 }
 
 bool WordMaker::inputs_let(const planner::Chunk& chunk) {
-  return input_wait_.may_start(chunk, runner_->counters().seconds_ahead <= 0, lead_, realtime::now());
+  return input_wait_.may_start(chunk, !has_motion_ahead(), lead_, realtime::now());
+}
+
+/// Longer than a slice?
+bool WordMaker::has_motion_ahead() const {
+  const realtime::Counters counters = runner_->counters();
+  return counters.seconds_ahead > 0 || counters.in_step;
 }
 
 bool WordMaker::stands_before(const planner::Chunk& chunk) {
   if (!Pause::line_before(chunk)) return true;
-  if (runner_->counters().seconds_ahead > 0) return false;
+  if (has_motion_ahead()) return false;
   const std::int64_t now = realtime::now();
   if (!stood_since_) stood_since_ = now;
   return static_cast<double>(now - *stood_since_) >= lead_ * 1e9;

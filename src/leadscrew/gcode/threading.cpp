@@ -3,6 +3,7 @@
 #include <leadscrew/gcode/threading.hpp>
 #include <leadscrew/numeric/functions.hpp>
 #include <limits>
+#include <utility>
 
 namespace leadscrew::gcode {
 
@@ -70,6 +71,8 @@ double Threading::feed_at(double lead, double factor) const {
 // An axis that cannot go as fast as the spindle asks would spoil the thread:
 //
 //     lead · S · |d_i| / |d| ≤ v_i
+//
+// So does a simulated spindle where it is fastest.
 bool Threading::is_reached(const Block& block, const base::AxisVector& from, const base::AxisVector& to, double lead) {
   const double length = feed_length_of_line(from, to);
   double fastest = std::numeric_limits<double>::infinity();
@@ -78,6 +81,7 @@ bool Threading::is_reached(const Block& block, const base::AxisVector& from, con
     const double part = std::fabs(to[i] - from[i]);
     if (part > 0 && machine_.axes[i]) fastest = std::min(fastest, machine_.axes[i]->velocity * length / part);
   }
+  if (machine_.threads_follow()) fastest /= 1 + machine_.spindle->wander;
   constexpr double rounding = 1e-9;
   if (feed_at(lead) <= fastest * (1 + rounding)) return true;
   return error(
@@ -246,10 +250,11 @@ void Threading::cycle(const Block& block) {
   }
 }
 
-// A change of the lead within a pass waits for nothing.
+// A change of the lead within a pass waits for nothing; but one line follows the spindle at a time, from rest to rest.
 bool Threading::next_event(Move& move, double lead) {
-  const bool waits = lead_ == 0 || lead == 0;
+  const bool waits = lead_ == 0 || lead == 0 || machine_.threads_follow();
   lead_ = lead;
+  is_behind_line_ = false;
   outbox_.prepare_event(move, base::Event::Kind::spindle_in_step, lead);
   move.event.waits = waits;
   return true;
@@ -265,17 +270,29 @@ base::AxisVector Threading::target_of(const ThreadCycle::Step& step) const {
   return end_;
 }
 
+ThreadCycle::Step Threading::next_step() {
+  if (waiting_) return *std::exchange(waiting_, std::nullopt);
+  if (cycle_.active()) return cycle_.next();
+  return in_cycle_ ? steps_[step_++] : ThreadCycle::Step{};
+}
+
 bool Threading::next_of_cycle(Move& move) {
   using Kind = ThreadCycle::Step::Kind;
   ThreadCycle::Step step;
   base::AxisVector target = frame_.position;
   while (in_cycle_ && target == frame_.position) {
-    in_cycle_ = cycle_.active() || step_ < steps_.size();
-    step = cycle_.active() ? cycle_.next() : in_cycle_ ? steps_[step_++] : ThreadCycle::Step{};
+    in_cycle_ = waiting_ || cycle_.active() || step_ < steps_.size();
+    step = next_step();
     if (step.kind == Kind::lead || step.kind == Kind::free) return next_event(move, step.lead * frame_.length_unit);
     target = in_cycle_ ? target_of(step) : end_;
   }
   if (target == frame_.position) return false;
+  const bool goes_on = is_behind_line_ && step.kind == Kind::thread;
+  if (goes_on && machine_.threads_follow()) {
+    waiting_ = step;
+    return next_event(move, lead_);
+  }
+  is_behind_line_ = step.kind == Kind::thread;
   outbox_.prepare(move, Move::Kind::line, modal_.line);
   move.end = target;
   if (step.kind == Kind::thread) move.feed = {Feed::Mode::units_per_second, feed_at(lead_)};
@@ -288,6 +305,7 @@ void Threading::abandon() {
   cycle_ = {};
   steps_.clear();
   step_ = 0;
+  waiting_.reset();
   in_cycle_ = false;
 }
 

@@ -3,7 +3,8 @@
 //
 // There is no encoder here: the spindle is taken to turn at the speed that S says. A thread begins at rest, with an event
 // for which the machine waits for the spindle's index (base::Event::Kind::spindle_in_step), goes at lead × S, and ends at
-// rest. So passes at one S line up; within the distance in which motion reaches its speed the lead is short.
+// rest. So passes at one S line up; within the distance in which motion reaches its speed the lead is short. Where the
+// machine simulates its spindle, the cycle follows that (interpolator/in_step.cpp); lead × S is what it is about.
 
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/thread_cycle.hpp>
@@ -68,6 +69,7 @@ class Threading : Part {
   bool next_event(Move& move, double lead);
   base::AxisVector target_of(const ThreadCycle::Step& step) const;
   [[gnu::cold]] bool next_of_cycle(Move& move);
+  ThreadCycle::Step next_step();
 
   Motion& motion_;
   Travel& travel_;
@@ -78,7 +80,9 @@ class Threading : Part {
   std::size_t step_ = 0;                  // the next of them
   base::AxisVector start_{};              // of the cycle; machine coordinates
   base::AxisVector end_{};
-  double lead_ = 0;  // in force in the cycle; mm
+  double lead_ = 0;                           // in force in the cycle; mm
+  std::optional<ThreadCycle::Step> waiting_;  // for the event before it
+  bool is_behind_line_ = false;               // of a thread, with no event between
   bool in_cycle_ = false;
 };
 

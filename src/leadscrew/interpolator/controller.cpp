@@ -25,6 +25,7 @@ base::Word Controller::next() noexcept {
   }
   // Before the position, so that who sees the last chunk begun sees no older rest.
   stands_.store(stands, std::memory_order_relaxed);
+  in_step_.store(interpolator_.is_in_step(), std::memory_order_relaxed);
   position_.store(current_, std::memory_order_release);
   left_.store(event_link_, std::memory_order_release);
   return word;
@@ -46,6 +47,7 @@ std::size_t Controller::events_passed(std::int64_t number) const noexcept {
 
 /// The chunk in motion, or its tail, has ended: goes on with its successor or its tail. False if there is neither.
 bool Controller::go_on() noexcept {
+  if (interpolator_.has_left_step()) return false;
   const bool is_followed = link(current_).succession.claim();
   if (interpolator_.has_stop_tail_left() && !(is_followed && !link(current_ + 1).chunk.begins_at_rest())) {
     interpolator_.run_stop_tail();
@@ -54,6 +56,7 @@ bool Controller::go_on() noexcept {
   }
   if (!is_followed) return false;
   link(current_).events_passed = interpolator_.events_of_part();
+  interpolator_.leave_chunk();
   interpolator_.load(link(++current_).chunk);
   return true;
 }

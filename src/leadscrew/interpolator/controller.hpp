@@ -54,7 +54,20 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
 
   /// The cycle's: a copy of itself that goes on as this would if no chunk followed the one in motion. Good until the
   /// next call of next().
-  Interpolator onward() const noexcept { return interpolator_; }
+  Interpolator onward() const noexcept {
+    Interpolator copy = interpolator_;
+    copy.leave_step();
+    return copy;
+  }
+  /// The cycle's: motion in step with the spindle, if there is any now, comes to rest as soon as the limits allow, and
+  /// ends; chunks behind it are not begun.
+  void leave_step() noexcept { interpolator_.leave_step(); }
+  /// The cycle's: does it rest there?
+  bool has_left_step() const noexcept { return interpolator_.has_left_step(); }
+  /// Before the first word: threads follow this spindle.
+  void follow(const machine::Spindle& spindle) { interpolator_.follow(spindle); }
+  /// Is motion on a line in step with the spindle?
+  bool is_in_step() const { return in_step_.load(std::memory_order_relaxed); }
 
   /// What became of a chunk.
   enum class Offer : std::uint8_t {
@@ -75,7 +88,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   std::size_t capacity() const { return capacity_; }
 
   /// Committed motion, dwells included, that was accepted and that the cycle has not begun, seconds; nothing of the
-  /// chunk in motion.
+  /// chunk in motion. Of lines in step with the spindle the time that they would take at the speed of S.
   double seconds_ahead() const;
   /// Has a word at rest been given after the end of everything accepted?
   bool idle() const;
@@ -119,7 +132,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   alignas(cache_line) std::atomic<std::int64_t> position_{0};  ///< current_, when the call has ended
   std::atomic<std::int64_t> left_{0};                          ///< event_link_, then: chunks before it are done with
   std::atomic<std::int64_t> starvations_{0};
-  std::atomic<bool> stands_{true};
+  std::atomic<bool> stands_{true}, in_step_{false};
 };
 
 }  // namespace leadscrew::interpolator

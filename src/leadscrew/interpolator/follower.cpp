@@ -179,6 +179,7 @@ double Follower::within_velocity(double jerk) const {
 }
 
 void Follower::follow(double place, double end) {
+  if (is_stopped_) return stop();
   if (task_ != Task::none) return go_on_to(end);
   if (rests_ && s_ == end) return;
   rests_ = false;
@@ -192,18 +193,19 @@ void Follower::follow(double place, double end) {
 }
 
 void Follower::stop() {
+  is_stopped_ = true;
   if (rests_) return;
   if (task_ != Task::stopping) begin_stop();
   rests_ = go_on();
 }
 
 void Follower::go(double end) {
-  if (task_ != Task::going) {
-    rests_ = s_ == end;
+  if (task_ != Task::going && task_ != Task::stopping) {
+    rests_ = s_ == end && v_ == 0 && a_ == 0;
     if (rests_) return;
-    begin_line(Task::going, end);
+    v_ == 0 && a_ == 0 ? begin_line(Task::going, end) : begin_stop();
   }
-  rests_ = go_on();
+  rests_ = go_on() && s_ == end;
 }
 
 /// From rest to rest by jerks j, −j, −j, j for t each: 2jt³ far, jt² fast, accelerations jt.

@@ -31,11 +31,11 @@ class Follower {
   Follower(const machine::Derivatives& limits, double period, double tolerance, double memory = 0);
 
   /// A period in step with a spindle that asks for `place` as it begins. Motion rests at `end`, ≥ s, where the spindle
-  /// leads there, and stays; infinite: nowhere. Before, it turns back with the spindle.
+  /// leads there, and stays; infinite: nowhere. Before, it turns back with the spindle. Behind stop() as that.
   void follow(double place, double end);
-  /// A period on the way to rest, as soon as the limits allow.
+  /// A period on the way to rest, as soon as the limits allow. There it stays.
   void stop();
-  /// A period from rest to rest at `end`.
+  /// A period on the way to rest at `end`: in motion, first to rest where the limits allow, and from there.
   void go(double end);
 
   /// On the line, units of its length.
@@ -82,6 +82,7 @@ class Follower {
   Manoeuvre manoeuvre_;
   double run_in_ = 0;
   bool rests_ = true;
+  bool is_stopped_ = false;  ///< for good
 };
 
 }  // namespace leadscrew::interpolator

@@ -77,6 +77,8 @@ void Interpolator::load(const planner::Chunk& chunk) {
   begin_part(chunk.segments, begin_ + chunk.end());
   rest_ = chunk.rest;
   line_ = chunk.rest_line;
+  turned_ = 0;
+  if (spindle_ && chunk.in_step) begin_thread();
 }
 
 void Interpolator::run_stop_tail() {
@@ -111,6 +113,13 @@ void Interpolator::begin_part(std::span<const planner::Segment> segments, Double
 }
 
 base::Word Interpolator::next() {
+  if (thread_) return next_in_step();
+  const base::Word word = next_word();
+  if (spindle_) turn_spindle(time_of(word.tick, period_));
+  return word;
+}
+
+base::Word Interpolator::next_word() {
   if (wants_chunk()) run_stop_tail();
   const DoubleDouble now = now_;
   const bool has_ended = wants_chunk();

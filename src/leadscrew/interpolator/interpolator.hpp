@@ -10,7 +10,10 @@
 #include <cstdint>
 #include <leadscrew/base/time.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/interpolator/follower.hpp>
 #include <leadscrew/interpolator/parameter_steps.hpp>
+#include <leadscrew/interpolator/spindle_motion.hpp>
+#include <leadscrew/interpolator/thread_figures.hpp>
 #include <leadscrew/interpolator/word_kernels.hpp>
 #include <leadscrew/planner/motion.hpp>
 #include <optional>
@@ -47,6 +50,24 @@ class Interpolator {
   /// Does the next word stand at rest because all motion has ended? Not in a dwell.
   bool at_rest() const { return wants_chunk() && !has_stop_tail_left(); }
 
+  /// Before the first word: chunks that are in step with the spindle follow this one, which turns as events say. It stands
+  /// at its index at the first word's time.
+  void follow(const machine::Spindle& spindle) { spindle_.emplace(spindle); }
+  /// Motion in step with the spindle, if there is any now, comes to rest on its line as soon as the limits allow, and ends:
+  /// has_left_step() is true from then on, and no chunk may be loaded any more. All else goes on as it is.
+  void leave_step() {
+    if (thread_) thread_->is_left = true;
+  }
+  /// Has such motion come to rest?
+  bool has_left_step() const { return has_left_; }
+  /// Is motion on a line in step with the spindle, or waits for the index there?
+  bool is_in_step() const { return thread_.has_value(); }
+  /// The lines that were cut in step so far.
+  const ThreadFigures& threads() const { return threads_; }
+  /// The loaded chunk's part has ended (wants_chunk()), and another will be loaded, or put in its place: what no word has
+  /// passed of its events is obeyed by the spindle with the next word.
+  void leave_chunk();
+
   /// The word of this tick; moves on to the next tick.
   base::Word next();
 
@@ -80,6 +101,20 @@ class Interpolator {
   std::optional<OnPath> on_path();
 
  private:
+  /// A line in step with the spindle.
+  struct Thread {
+    Follower follower;
+    double begin = 0;  ///< revolutions that way, where the line begins
+    bool waits = true;
+    bool is_left = false;
+  };
+
+  base::Word next_word();
+  base::Word next_in_step();
+  void begin_thread();
+  void end_thread(const toolpath::Piece& piece);
+  double turned(numeric::DoubleDouble time) const;
+  void turn_spindle(numeric::DoubleDouble time);
   base::AxisVector position(const toolpath::Piece& piece, std::size_t index, numeric::DoubleDouble s);
   void begin_part(std::span<const planner::Segment> segments, numeric::DoubleDouble end);
   void pass_events(std::size_t piece, double s);
@@ -117,6 +152,13 @@ class Interpolator {
   double parameter_ = 0;              ///< where the last step ended
   double stepped_ = 0;                ///< and its path length
   Kernel kernel_ = widest_kernel();
+  std::optional<SpindleMotion> spindle_;
+  double direction_ = 0;          ///< in which it was told to turn: 1 clockwise, -1 counterclockwise, 0 to stand
+  std::optional<Thread> thread_;  ///< that motion is on, or waits for
+  double index_ = 0;              ///< revolutions the spindle's way, at the index where the last thread began
+  bool has_left_ = false;
+  std::size_t turned_ = 0;  ///< events of the chunk that the spindle has obeyed
+  ThreadFigures threads_;
 };
 
 }  // namespace leadscrew::interpolator

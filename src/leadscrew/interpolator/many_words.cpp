@@ -23,7 +23,7 @@ base::Tick after(base::Tick tick, std::size_t count) {
 
 std::size_t Interpolator::next(std::span<base::Word> words) {
   std::size_t made = 0;
-  if (passed_ < events_of_part()) {  // each is told with its own word
+  if (thread_ || passed_ < events_of_part()) {  // each is told with its own word
     if (!words.empty() && !wants_chunk()) words[made++] = next();
     return made;
   }

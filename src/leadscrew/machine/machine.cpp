@@ -83,6 +83,7 @@ std::vector<base::Diagnostic> validate(const Machine& machine) {
   check_screws(problems, machine);
   if (machine.laser) check_laser(*machine.laser, problems);
   if (machine.probe) check_probe(machine, problems);
+  if (machine.spindle) check_spindle(*machine.spindle, problems);
   if (!any)
     problems.push_back(problem("machine-axes", "the machine has no axis", "give at least one, such as [axis.X]",
                                {.field = field::axes}));

@@ -13,6 +13,7 @@
 #include <leadscrew/machine/probe.hpp>
 #include <leadscrew/machine/rotary_chain.hpp>
 #include <leadscrew/machine/screw_errors.hpp>
+#include <leadscrew/machine/spindle.hpp>
 #include <leadscrew/machine/step_times.hpp>
 #include <optional>
 #include <string>
@@ -60,7 +61,11 @@ struct Machine {
   std::optional<Laser> laser;               ///< empty where there is none
   std::optional<RotaryChain> rotary_chain;  ///< empty where it is cartesian
   std::optional<Probe> probe;               ///< for simulation; empty where none is simulated
+  std::optional<Spindle> spindle;           ///< for simulation; empty: it is taken to turn at S
 
+  /// Do threads follow a simulated spindle? Not where rotary axes turn the tool: a line of the program is none of the
+  /// axes there.
+  bool threads_follow() const { return spindle && !rotary_chain; }
   /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   /// All there are.
@@ -83,8 +88,8 @@ struct Machine {
 Machine mill3();
 
 /// Every way in which the values contradict the ranges above; empty when the machine is sound. Codes: `machine-…`,
-/// those of check_step_times(), check_screw(), check_drive(), check_laser(), check_probe() and check_kinematics(), and
-/// `pitch-axis` for screws of axes that the machine lacks.
+/// those of check_step_times(), check_screw(), check_drive(), check_laser(), check_probe(), check_spindle() and
+/// check_kinematics(), and `pitch-axis` for screws of axes that the machine lacks.
 std::vector<base::Diagnostic> validate(const Machine& machine);
 
 }  // namespace leadscrew::machine

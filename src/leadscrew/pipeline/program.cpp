@@ -44,6 +44,10 @@ Program::Program(MoveInput moves, base::Borrowed<machine::Machine> machine, cons
 }
 
 void Program::watch_path() {
+  if (machine_.threads_follow()) {
+    interpolator_.follow(*machine_.spindle);
+    source_.planner().follow_spindle();
+  }
   source_.on_move = [this](const gcode::Move& move) { account(move); };
   source_.on_element = [this](const toolpath::Element& element) { bound_.push(element); };
 }
@@ -116,6 +120,11 @@ void Program::stop() {
   interpolator_.run_stop_tail();
 }
 
+void Program::abort() {
+  source_.abort();
+  interpolator_.leave_step();
+}
+
 const gcode::Move* Program::probing() const {
   const std::optional<gcode::Move>& move = source_.probing();
   return move && move->line == last_line_ ? &*move : nullptr;
@@ -147,6 +156,7 @@ bool Program::plan_next() {
   if (!chunk) return false;
   tell_events(interpolator_.events_of_part(), interpolator_.tick());
   told_ = 0;
+  interpolator_.leave_chunk();
   chunk_ = std::move(*chunk);
   planner::raise_limit_ratios(chunk_, constraints_, summary_.plan);
   summary_.length_mm += chunk_.length;
@@ -164,6 +174,7 @@ void Program::account(const base::Word& word) {
   last_line_ = word.line;
   summary_.words = base::count(word.tick);
   summary_.time_s = base::seconds(word.tick, machine_.period);
+  summary_.threads = interpolator_.threads();
 }
 
 }  // namespace leadscrew::pipeline

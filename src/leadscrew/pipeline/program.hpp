@@ -34,7 +34,9 @@ struct Summary {
   double length_mm = 0;             ///< of the tool path, as Word::path_length
   double feed_programmed_max = 0;   ///< mm/s; 0 if the program has only rapids
   double tolerance_mm = 0;          ///< the largest that applied
-  constraints::LimitRatios plan{};  ///< analytically, from the motion
+  constraints::LimitRatios plan{};  ///< analytically, from the motion; of threads at the speed of S
+  /// Of lines in step with a simulated spindle (Machine::threads_follow); none where there is none.
+  interpolator::ThreadFigures threads{};
 };
 
 /// Counts a move that will be travelled: moves, dwell_s, feed_programmed_max, tolerance_mm.
@@ -104,8 +106,9 @@ class Program {
   bool prepare();
   /// What the last prepare() found.
   Progress progress() const { return progress_; }
-  /// Motion ends by the stop tail of what has been handed out: no later than that of the chunk in motion.
-  void abort() { source_.abort(); }
+  /// Motion ends by the stop tail of what has been handed out: no later than that of the chunk in motion; in step with the
+  /// spindle as soon as the limits allow.
+  void abort();
 
   /// Before the first word: whether to end now, asked while planning takes long (MotionSource::stop_when).
   void stop_when(std::function<bool()> asked) { source_.stop_when(std::move(asked)); }

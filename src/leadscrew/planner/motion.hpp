@@ -14,9 +14,11 @@
 #include <cstdint>
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/base/word.hpp>
+#include <leadscrew/machine/derivatives.hpp>
 #include <leadscrew/numeric/double_double.hpp>
 #include <leadscrew/numeric/pair.hpp>
 #include <leadscrew/toolpath/path.hpp>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -95,6 +97,17 @@ struct Chunk {
   numeric::DoubleDouble duration;  ///< seconds, of the committed part
   double length = 0;               ///< travelled by the committed part
   double tail_length = 0;          ///< travelled by the tail
+  /// A line in step with the spindle, which is the whole chunk.
+  struct InStep {
+    double lead = 0;                ///< units of the piece's length in a revolution, > 0
+    double turns = 0;               ///< of the spindle since the thread's index, where the line begins; ≥ 0
+    bool waits_for_index = true;    ///< else it goes on with the thread of the line before
+    machine::Derivatives limits{};  ///< along the piece
+    double tolerance = 0;           ///< units: so near to the spindle's place it is in step
+  };
+  /// Only where the planner was told that the cycle follows the spindle: the segments then tell what motion would be at
+  /// the speed of S, at once.
+  std::optional<InStep> in_step{};
 
   /// When the committed part ends, seconds since the motion began.
   numeric::DoubleDouble end() const;

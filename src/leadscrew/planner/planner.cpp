@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/planner/piece_limits.hpp>
 #include <leadscrew/planner/planner.hpp>
 #include <limits>
 #include <utility>
@@ -103,6 +104,11 @@ bool begins_in_step(const base::Event& event) {
   return behind.in_step;
 }
 
+/// Of the line's length in a revolution, where the event counts some axes only.
+double lead_along(const toolpath::Piece& piece, double lead) {
+  return lead / piece.feed_rate(0);
+}
+
 }  // namespace
 
 std::optional<Chunk> Planner::pop() {
@@ -196,6 +202,7 @@ bool Planner::pass_over(const toolpath::Element& element) {
     start_->passed += length;
     if (length <= distance_left + negligible_length) {
       pass_events(*piece, std::numeric_limits<double>::infinity());
+      pass_turns(*piece);
       return true;
     }
     pass_events(*piece, distance_left);
@@ -228,6 +235,7 @@ void Planner::pass_events(const toolpath::Piece& piece, double s) {
 
 /// Of events that undo one another, the last.
 void Planner::keep_in_force(const base::Event& event) {
+  take_lead(event);
   travelling_.rest_for(event);
   take_factor();
   const Effect effect = effect_of(event.kind);
@@ -251,6 +259,7 @@ bool Planner::take(const toolpath::Piece& piece) {
       return false;
     }
   }
+  pass_turns(piece);
   look_ahead_.append(piece);
   last_ = piece;
   return true;
@@ -267,7 +276,9 @@ std::optional<Chunk> Planner::plan() {
   std::optional<Chunk> chunk;
   if (closed_form_) {
     closed_form_->override_feed(feed_factor_);
-    chunk = closed_form_->next(slice_);
+    const std::optional<Chunk::InStep> step = in_step();
+    chunk = closed_form_->next(step ? std::numeric_limits<double>::infinity() : slice_);
+    if (step) chunk->in_step = step;
   } else {
     chunk = look_ahead_.plan();
   }
@@ -277,6 +288,34 @@ std::optional<Chunk> Planner::plan() {
   position_ = chunk->rest;
   line_ = chunk->rest_line;
   return follow_events(std::move(*chunk));
+}
+
+/// Of tapping cycles and G33.1, which go at the speed of S, too.
+void Planner::take_lead(const base::Event& event) {
+  using Kind = base::Event::Kind;
+  if (event.kind != Kind::spindle_in_step && event.kind != Kind::rigid_tap) return;
+  const bool is_thread = event.kind == Kind::spindle_in_step && event.output != base::in_tapping_cycle;
+  lead_ = is_thread ? event.value : 0;
+  if (lead_ > 0) return;
+  turns_ = 0;
+  is_in_thread_ = false;
+}
+
+void Planner::pass_turns(const toolpath::Piece& piece) {
+  if (lead_ > 0) turns_ += piece.axes().length() / lead_along(piece, lead_);
+}
+
+/// Of the section, if nothing of it has been handed out and it is a line in step with the spindle.
+std::optional<Chunk::InStep> Planner::in_step() {
+  const geometry::Line* line = last_->axes().line();
+  if (!follows_ || lead_ == 0 || look_ahead_.section().size() > 1 || closed_form_->rest() > 0 || line == nullptr)
+    return std::nullopt;
+  Chunk::InStep step{.lead = lead_along(*last_, lead_), .waits_for_index = !is_in_thread_};
+  step.turns = std::max(turns_ - line->length() / step.lead, 0.0);
+  step.limits = line_limits(*line, constraints_);
+  step.tolerance = machine_.tolerance;
+  is_in_thread_ = true;
+  return step;
 }
 
 /// The closed form has ended: at the section's end, or at rest on the way, from where windows go on.
@@ -319,6 +358,7 @@ void Planner::take_factor() {
 /// Motion rests for an event, which comes before the next chunk.
 void Planner::rest_for(const base::Event& event) {
   events_.push_back(event);
+  take_lead(event);
   line_ = event.line;
   travelling_.rest_for(event);
   take_factor();

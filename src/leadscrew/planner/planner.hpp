@@ -55,6 +55,10 @@ class Planner {
   // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
   // popped.
 
+  /// Before the first chunk: the cycle follows the machine's spindle (Machine::threads_follow). A line of a thread (G33,
+  /// G76) that begins at its own beginning is one chunk then, however long, with Chunk::in_step, and is not held on the
+  /// way: who wants rest there asks the interpolator (Interpolator::leave_step).
+  void follow_spindle() { follows_ = machine_.threads_follow(); }
   /// From now on no chunk commits to more than about this, s > 0. The motion is the same, bit for bit, however it is
   /// sliced.
   void slice(double seconds);
@@ -113,6 +117,9 @@ class Planner {
   Chunk follow_events(Chunk chunk);
   void rest_for(const base::Event& event);
   void take_factor();
+  void take_lead(const base::Event& event);
+  void pass_turns(const toolpath::Piece& piece);
+  std::optional<Chunk::InStep> in_step();
 
   struct Start {
     double path_length = 0;
@@ -130,6 +137,10 @@ class Planner {
   double slice_ = std::numeric_limits<double>::infinity();
   AskedOverrides asked_;
   double feed_factor_ = 1;                 ///< in force
+  bool follows_ = false;                   ///< the cycle, a spindle
+  double lead_ = 0;                        ///< of the thread that motion is in; else 0
+  double turns_ = 0;                       ///< of the spindle since the thread began, at the end of what was taken
+  bool is_in_thread_ = false;              ///< a line of it was in step
   double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before
   TravellingEvents travelling_;            ///< all others

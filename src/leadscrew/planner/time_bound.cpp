@@ -66,8 +66,12 @@ void TimeBound::push(const toolpath::Element& element) {
     seconds_ += dwell->seconds;
     return;
   }
+  if (const auto* event = std::get_if<base::Event>(&element)) {
+    if (event->kind == base::Event::Kind::spindle_in_step)
+      is_in_thread_ = event->value > 0 && event->output != base::in_tapping_cycle;
+    return;
+  }
   const auto* piece = std::get_if<toolpath::Piece>(&element);
-  if (!piece) return;
   const double negligible = piece->transformation ? negligible_tip_kink : negligible_kink;
   if (held_) {
     const geometry::PointJet entering = piece->axes().jets(0);
@@ -76,6 +80,7 @@ void TimeBound::push(const toolpath::Element& element) {
     if (is_kink) slow_down_to(greatest_speed_over_kink(leaving_, entering, machine_));
   }
   held_ = *piece;
+  if (is_in_thread_ && machine_.threads_follow()) held_->feed = std::numeric_limits<double>::infinity();
   leaving_ = piece->axes().jets(piece->axes().length());
   if (piece->stop) stop();
 }

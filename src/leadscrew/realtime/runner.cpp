@@ -27,7 +27,9 @@ Runner::Runner(const RunnerOptions& options, Planning planning, WordSink sink)
       sink_(std::move(sink)),
       controller_(options.period, options.position, chunks_within(std::max(options.look_ahead, Feeder::farthest)),
                   options.path_length, options.line),
-      feeder_(planning_, controller_, options.look_ahead, options.least_look_ahead.value_or(options.look_ahead)) {}
+      feeder_(planning_, controller_, options.look_ahead, options.least_look_ahead.value_or(options.look_ahead)) {
+  if (options_.spindle) controller_.follow(*options_.spindle);
+}
 
 Runner::~Runner() {
   halt();
@@ -58,6 +60,7 @@ Counters Runner::counters() const {
   counters.slips = slips_.load(std::memory_order_relaxed);
   counters.late_chunks = late_chunks_.load(std::memory_order_relaxed);
   counters.starvations = controller_.starvations();
+  counters.in_step = controller_.is_in_step();
   counters.seconds_ahead = seconds_ahead_.load(std::memory_order_relaxed);
   counters.override_factor = asked_.load(std::memory_order_relaxed);
   counters.allowed_overrides = allowed_overrides_.load(std::memory_order_relaxed);
@@ -113,6 +116,7 @@ void Runner::cycle() {
 bool Runner::make_due(std::int64_t due) noexcept {
   while (published_ < due) {
     if (!waiting_) {
+      if (stop_asked_.load(std::memory_order_relaxed)) controller_.leave_step();
       waiting_ = controller_.next();
       event_ = controller_.next_event();
     }
@@ -154,6 +158,7 @@ bool Runner::publish() noexcept {
 
 /// The first word at rest behind all motion.
 bool Runner::is_last() const noexcept {
+  if (controller_.has_left_step()) return controller_.stands();
   const std::int64_t last = last_chunk_.load(std::memory_order_acquire);
   return last >= 0 && controller_.begun() == last && controller_.stands();
 }

@@ -55,6 +55,9 @@ struct RunnerOptions {
   std::optional<double> least_look_ahead = {};
   std::int64_t lead = 0;   ///< periods that words are made ahead of their time
   std::int64_t slice = 1;  ///< words that are published together, at most; at rest each for itself
+  /// That threads follow; its chunks come from a planner that was told so (planner::Planner::follow_spindle). None: they
+  /// go as planned.
+  std::optional<machine::Spindle> spindle = {};
 };
 
 /// What has happened so far.
@@ -65,6 +68,7 @@ struct Counters {
   std::int64_t late_chunks = 0;                   ///< chunks that came after the motion they continue had been stopped
   std::int64_t starvations = 0;                   ///< stop tails that ran because nothing followed
   double seconds_ahead = 0;                       ///< planned, not begun
+  bool in_step = false;                           ///< is motion on a line in step with a simulated spindle?
   double override_factor = 1;                     ///< asked for; 0: held
   planner::AllowedOverrides allowed_overrides{};  ///< by the program, where motion is
   bool ended = false;                             ///< the last word has been taken, or nobody wants it

@@ -33,7 +33,7 @@ struct Section {
   Section(Spaces& spaces, const machine::Machine& machine, base::Period period, Cancellation& cancellation)
       : metric(machine, spaces.per_degree()),
         is_of_tip(spaces.space().is_of_tip),
-        source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric),
+        source([&spaces](gcode::Move& move) { return spaces.next(move); }, metric, machine.threads_follow()),
         matcher(source, metric, cancellation, is_of_tip),
         allowance(metric, period.seconds()),
         feed(metric, period),
@@ -129,7 +129,7 @@ class Referee::Implementation {
   /// Of what no word has come to.
   void skip_section(double t) {
     const Metric metric(machine_, spaces_.per_degree());
-    PieceSource unvisited([this](gcode::Move& move) { return spaces_.next(move); }, metric);
+    PieceSource unvisited([this](gcode::Move& move) { return spaces_.next(move); }, metric, machine_.threads_follow());
     Finding skipped;
     for (Piece piece; unvisited.next(piece) && !cancellation_.asked();) {
       const double distance = metric.distance(unvisited.start(), piece.to);

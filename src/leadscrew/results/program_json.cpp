@@ -146,6 +146,12 @@ void add_tip(Json& json, const referee::Verdict& verdict) {
                               {"orientation_tolerance_deg", verdict.orientation_tolerance_deg}});
 }
 
+void add_threads(Json& json, const interpolator::ThreadFigures& threads) {
+  Json figures = Json::object({{"lines", threads.lines}, {"run_in_mm", threads.run_in}});
+  if (threads.run_in > 0) figures["line"] = base::number(threads.run_in_line);
+  json["threads"] = figures;
+}
+
 Json json_of_motion(std::string_view schema, const std::string& program, const machine::Machine& machine,
                     const pipeline::Summary& summary, std::initializer_list<Json::Member> more) {
   Json json = Json::object({{"schema", schema},
@@ -179,6 +185,7 @@ Json json_of_run(const std::string& program, const machine::Machine& machine, co
                               {"cpu", cpu_of(figures.effort)},
                               {"diagnostics", list_of(diagnostics)}});
   add_tip(json, verdict);
+  if (machine.threads_follow()) add_threads(json, summary.threads);
   if (figures.steps) json["pulses"] = json_of_steps(*figures.steps);
   return json;
 }

@@ -1,0 +1,65 @@
+// Threads that follow a simulated spindle, on time: the words of run, and motion that is stopped or killed inside them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "driven.hpp"
+
+namespace leadscrew::cli::testing {
+namespace test_drive_threads {
+
+/// The spindle turns on, the other way, faster and not at all between lines, and events lie between slices.
+const std::string threads =
+    "G21 G90 G94 G18 F3000\nM3 S600\nG0 X5 Z2\nG33 Z-30 K1.5\nG0 X8\nG0 Z2\nX5.5\nS900\nG33 Z-10 K1\nG33 X6 Z-20 "
+    "K1.5\nG0 X9\nZ2\nX5\nM5\nG4 P0.1\nM4 S450\nG76 P2 Z-15 I-1 J0.3 K0.9 R1 Q29.5 E2 L3\nG1 X7 Z0\nS300\nG1 X0\nM2\n";
+
+TEST(DriveThreads, AreThoseOfRunBitForBit) {
+  const Folder folder;
+  folder.write("part.ngc", threads);
+  folder.write("lathe.toml", machine_with_spindle());
+  drive_without_a_tail(folder, {"--machine", "lathe.toml", "--events", "driven.csv", "--trace", "driven-words.csv"});
+  const Outcome run = leadscrew(folder, {"run", "part.ngc", "--machine", "lathe.toml", "--events", "run.csv", "--trace",
+                                         "run-words.csv", "--json"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const Json figures = run.json()["threads"];
+  EXPECT_GT(figures["lines"], 3);
+  EXPECT_GT(figures["run_in_mm"], 0);
+  EXPECT_LT(figures["run_in_mm"], 10);
+  EXPECT_EQ(folder.read("driven.csv"), folder.read("run.csv"));
+  EXPECT_EQ(folder.read("driven-words.csv"), folder.read("run-words.csv"));
+  EXPECT_EQ(leadscrew(folder, {"verify", "run-words.csv", "part.ngc", "--machine", "lathe.toml"}).status, 0);
+  // Another spindle is followed otherwise.
+  std::string other = machine_with_spindle();
+  other.replace(other.find("seed = 7"), 8, "seed = 8");
+  folder.write("other.toml", other);
+  leadscrew(folder, {"run", "part.ngc", "--machine", "other.toml", "--trace", "other-words.csv"});
+  EXPECT_NE(folder.read("other-words.csv"), folder.read("run-words.csv"));
+}
+
+/// Motion leaves the thread within limits, and goes on there.
+TEST(DriveThreads, ComeToRestWhereTheyAreStoppedAndGoOn) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 F3000\nM3 S300\nG0 Z2\nG33 Z-60 K2\nG0 X8\nZ2\nM2\n");
+  folder.write("lathe.toml", machine_with_spindle());
+  Running first(folder,
+                {"drive", "part.ngc", "--machine", "lathe.toml", "--trace", "1.csv", "--state", "state", "--json"});
+  ASSERT_TRUE(comes_to(folder, 20));
+  first.send(SIGTERM);
+  EXPECT_EQ(first.wait().status, 130);
+  const auto one = rows_in(folder, "1.csv");
+  ASSERT_FALSE(one.empty());
+  EXPECT_LT(one.back().s, 50);
+  EXPECT_LE(worst_ratio(one), 1.001);
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--machine", "lathe.toml", "--trace", "2.csv", "--resume",
+                                         "state", "--lead", "1s"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  const auto two = rows_in(folder, "2.csv");
+  ASSERT_FALSE(two.empty());
+  EXPECT_LE(distance(one.back().q, two.front().q), 1e-9);
+  EXPECT_LE(worst_ratio(two), 1.001);
+  EXPECT_EQ(two.back().q, (std::vector<double>{8, 0, 2}));
+}
+
+}  // namespace test_drive_threads
+}  // namespace leadscrew::cli::testing

@@ -1,0 +1,263 @@
+// Threads that follow a spindle whose speed wanders, on random machines: in step behind a run-in that is told, within limits,
+// where the program says.
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/interpolator/spindle_motion.hpp>
+#include <leadscrew/pipeline/program.hpp>
+#include <leadscrew/referee/referee.hpp>
+#include <string>
+#include <vector>
+
+#include "random_programs.hpp"
+#include "worst_ratios.hpp"
+
+namespace test_threads {
+
+using namespace leadscrew;
+using Kind = base::Event::Kind;
+
+double between(double least, double most) {
+  return least + (most - least) * *rc::gen::inRange(0, 10'001) / 10'000;
+}
+
+/// A machine and a program of lines in step, each with a lead and a speed of the spindle of its own.
+struct Case {
+  machine::Machine machine;
+  std::string text;
+
+  static Case any() {
+    Case made;
+    made.machine.period = {*rc::gen::element<std::int64_t>(100'000, 500'000, 1'000'000, 2'000'000)};
+    machine::Derivatives least{1e9, 1e12, 1e12};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double velocity = between(30, 500), acceleration = velocity * between(2, 20);
+      made.machine.axes[i] = machine::AxisLimits{.travel_min = -10'000,
+                                                 .travel_max = 10'000,
+                                                 .velocity = velocity,
+                                                 .acceleration = acceleration,
+                                                 .jerk = acceleration * between(10, 100),
+                                                 .blu = 0.001};
+      least = {std::min(least.velocity, velocity), std::min(least.acceleration, acceleration),
+               std::min(least.jerk, made.machine.axes[i]->jerk)};
+    }
+    made.machine.spindle = machine::Spindle{.acceleration = between(100, 20'000),
+                                            .wander = 0.05,
+                                            .wander_period = between(2, 20),
+                                            .seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000))};
+    made.machine.tolerance = *rc::gen::element(0.002, 0.01, 0.05);
+    char block[160];
+    double before = 0;
+    made.text = "G21 G90 G94 G17 F600\n";
+    for (int k = *rc::gen::inRange(1, 4); k > 0; --k) {
+      const double turns = 100 * between(0.01, 1), fastest = std::max(turns, before);  // revolutions per s
+      const double lead = std::min(between(0.2, 6), least.velocity * 0.9 / fastest), v = lead * fastest;
+      before = turns;
+      const double rise = 2 * std::sqrt(v / least.jerk) + v / least.acceleration;
+      const double length = v * (between(0.5, 2) + 12 * rise) + 2;
+      std::snprintf(block, sizeof block, "S%.3f M%d\nG33 X%.4f Z%.4f K%.4f\nG0 X%.4f\nZ0\nX0\n", 60 * turns,
+                    *rc::gen::inRange(3, 5), length * between(0, 0.3), -length, lead, length);
+      made.text += block;
+    }
+    made.text += "M2\n";
+    RC_LOG() << made.text << testing_support::limits_of(made.machine) << "spindle "
+             << made.machine.spindle->acceleration << ' ' << made.machine.spindle->wander_period << ' '
+             << made.machine.spindle->seed << '\n';
+    return made;
+  }
+};
+
+/// The spindle as it has turned up to each word, from the events alone.
+class Turns {
+ public:
+  explicit Turns(const machine::Machine& machine) : spindle_(*machine.spindle), period_(machine.period) {}
+
+  double at(std::int64_t tick) const { return sign_ * spindle_.revolutions(static_cast<double>(tick) * seconds()); }
+  void obey(const base::PassedEvent& event) {
+    if (event.kind == Kind::spindle_clockwise || event.kind == Kind::spindle_counterclockwise)
+      sign_ = event.kind == Kind::spindle_clockwise ? 1 : -1;
+    const bool turns = event.kind == Kind::spindle_speed || event.kind == Kind::spindle_clockwise ||
+                       event.kind == Kind::spindle_counterclockwise;
+    const double t = static_cast<double>(base::count(event.tick)) * seconds();
+    if (turns) spindle_.turn(sign_ * event.value, t);
+    if (event.kind == Kind::program_end) spindle_.turn(0, t);
+  }
+  double seconds() const { return period_.seconds(); }
+
+ private:
+  interpolator::SpindleMotion spindle_;
+  base::Period period_;
+  double sign_ = 0;
+};
+
+/// Of one line, from the word that passed its event on.
+struct Line {
+  double lead = 0;
+  std::vector<double> s, errors;  ///< along it, and |s − lead · (revolutions since the index)|
+
+  double length() const { return s.back(); }
+};
+
+/// Each line's words, matched with the spindle as the test finds it.
+class Watcher {
+ public:
+  explicit Watcher(const machine::Machine& machine) : turns_(machine) {}
+
+  std::vector<Line> lines;
+
+  void pass(const base::PassedEvent& event) {
+    turns_.obey(event);
+    if (event.kind != Kind::spindle_in_step) return;
+    is_on_ = event.value > 0;
+    if (!is_on_) return;
+    lines.push_back({.lead = event.value});
+    begin_ = event.path_length;
+    has_index_ = false;
+    first_ = base::count(event.tick);
+  }
+
+  void see(const base::Word& word) {
+    if (!is_on_) return;
+    const std::int64_t tick = base::count(word.tick);
+    const double turned = turns_.at(tick);
+    if (!has_index_ && tick > first_ && std::floor(turned) > std::floor(turns_.at(tick - 1))) {
+      has_index_ = true;
+      index_ = std::floor(turned);
+    }
+    Line& line = lines.back();
+    line.s.push_back(word.path_length - begin_);
+    if (!has_index_) RC_ASSERT(line.s.back() <= 1e-9);
+    line.errors.push_back(has_index_ ? std::abs(line.s.back() - line.lead * (turned - index_)) : 0);
+  }
+
+ private:
+  Turns turns_;
+  bool is_on_ = false, has_index_ = false;
+  double begin_ = 0, index_ = 0;
+  std::int64_t first_ = 0;
+};
+
+/// What a stop from the spindle's greatest speed takes, and what motion may be ahead.
+double way_to_the_end(const Line& line, const machine::Machine& machine) {
+  double v = 0;
+  for (std::size_t i = 1; i < line.s.size(); ++i)
+    v = std::max(v, (line.s[i] - line.s[i - 1]) / machine.period.seconds());
+  double a = 1e12, j = 1e12;
+  for (std::size_t i = 0; i < 3; ++i) {
+    a = std::min(a, machine.axes[i]->acceleration);
+    j = std::min(j, machine.axes[i]->jerk);
+  }
+  return v * (2 * std::sqrt(v / j) + v / a) + 0.02 * line.length();
+}
+
+RC_GTEST_PROP(Threads, FollowASpindleThatWandersBehindTheRunInThatIsTold, ()) {
+  const Case made = Case::any();
+  const machine::ToolTable tools;
+  int problems = 0;
+  const auto count = [&](const base::Diagnostic&) { ++problems; };
+  pipeline::Program program(gcode::text_source(made.text), made.machine, tools, {}, count);
+  gcode::Reader judged(gcode::text_source(made.text), made.machine, tools, {}, count);
+  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, made.machine, made.machine.period);
+  Watcher watcher(made.machine);
+  program.on_event([&](const base::PassedEvent& event) { watcher.pass(event); });
+  while (program.prepare()) {
+    const base::Word word = program.cycle();
+    watcher.see(word);
+    referee.observe(word.position);
+  }
+  RC_ASSERT(problems == 0);
+  const referee::Verdict verdict = referee.conclude();
+  for (const referee::Violation& each : verdict.violations)
+    RC_LOG() << each.what << " " << each.value << " of " << each.limit << " at " << each.t << "\n";
+  RC_ASSERT(verdict.violation_count == 0);
+  RC_ASSERT(testing_support::worst_judged(verdict) <= 1.001);
+  RC_ASSERT(verdict.end_error_mm <= 1e-9);
+
+  const pipeline::Summary& summary = program.summary();
+  RC_ASSERT(summary.threads.lines == static_cast<std::int64_t>(watcher.lines.size()));
+  RC_ASSERT(summary.bound_s <= summary.time_s * (1 + 1e-6));
+  double longest = 0;
+  for (const Line& line : watcher.lines) {
+    const double end = line.length() - way_to_the_end(line, made.machine);
+    double run_in = 0;
+    for (std::size_t k = 0; k < line.s.size(); ++k) {
+      if (line.s[k] < end && line.errors[k] > made.machine.tolerance * (1 + 1e-9)) run_in = std::max(run_in, line.s[k]);
+    }
+    RC_LOG() << "run-in " << run_in << " of " << line.length() << '\n';
+    RC_ASSERT(run_in < end);
+    longest = std::max(longest, run_in);
+  }
+  RC_LOG() << "told " << summary.threads.run_in << '\n';
+  RC_ASSERT(summary.threads.run_in <= longest + 1e-9);
+  RC_ASSERT(summary.threads.run_in >= longest - 1e-9);
+}
+
+/// The four lines of a pass of G76 go on with the thread before, in phase; passes are congruent.
+TEST(Threads, OfAPassGoOnInPhaseAndPassesAreCongruent) {
+  machine::Machine machine = machine::mill3();
+  machine.spindle = machine::Spindle{.acceleration = 2000, .wander = 0.05, .wander_period = 3, .seed = 7};
+  const std::string text = "G21 G90 G18 F3000\nM3 S600\nG0 X5.5 Z2\nG76 P2 Z-40 I-2 J0.3 K1.2 R1 Q0 H1 E4 L3\nM2\n";
+  const machine::ToolTable tools;
+  pipeline::Program program(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) { FAIL(); });
+  Turns turns(machine);
+  std::vector<double> phases;  // of Z against the spindle, at Z = -20 of each pass
+  bool is_on = false;
+  double before = 0;
+  program.on_event([&](const base::PassedEvent& event) {
+    turns.obey(event);
+    if (event.kind == Kind::spindle_in_step) is_on = event.value > 0;
+  });
+  while (program.prepare()) {
+    const base::Word word = program.cycle();
+    const double z = word.position[2];
+    if (is_on && before > -20 && z <= -20) {
+      const double phase = turns.at(base::count(word.tick)) + z / 2;
+      phases.push_back(phase - std::floor(phase));
+    }
+    before = z;
+  }
+  ASSERT_GE(phases.size(), 4u);
+  for (const double phase : phases) EXPECT_NEAR(phase, phases.front(), 0.02 / 2);
+  EXPECT_EQ(program.summary().threads.lines, 4 * static_cast<std::int64_t>(phases.size()));
+}
+
+/// A word that stands for the index, and abort there and on the way: motion rests at once, and within limits.
+RC_GTEST_PROP(Threads, ComeToRestWhereTheyAreAborted, ()) {
+  const Case made = Case::any();
+  const machine::ToolTable tools;
+  const auto none = [](const base::Diagnostic&) {};
+  std::size_t whole = 0;
+  {
+    pipeline::Program program(gcode::text_source(made.text), made.machine, tools, {}, none);
+    for (; program.prepare(); ++whole) program.cycle();
+  }
+  const auto abort_at = static_cast<std::size_t>(*rc::gen::inRange(0, static_cast<int>(whole)));
+  RC_LOG() << "aborted at word " << abort_at << " of " << whole << '\n';
+  pipeline::Program program(gcode::text_source(made.text), made.machine, tools, {}, none);
+  program.slice(0.02);
+  std::vector<base::Word> words;
+  while (program.prepare()) {
+    if (words.size() == abort_at) program.abort();
+    words.push_back(program.cycle());
+  }
+  RC_ASSERT(words.back().state == base::MotionState::rest);
+  words.insert(words.begin(), 3, words.front());
+  words.insert(words.end(), 3, words.back());
+  const double t = made.machine.period.seconds();
+  for (std::size_t k = 3; k < words.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const machine::AxisLimits& limits = *made.machine.axes[i];
+      const double a = words[k].position[i], b = words[k - 1].position[i], c = words[k - 2].position[i],
+                   d = words[k - 3].position[i];
+      RC_ASSERT(std::abs(a - b) / t <= 1.001 * limits.velocity);
+      RC_ASSERT(std::abs(a - 2 * b + c) / (t * t) <= 1.001 * limits.acceleration + 1e-9 / (t * t));
+      RC_ASSERT(std::abs(a - 3 * b + 3 * c - d) / (t * t * t) <= 1.001 * limits.jerk + 1e-9 / (t * t * t));
+    }
+  }
+}
+
+}  // namespace test_threads
