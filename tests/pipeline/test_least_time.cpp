@@ -107,6 +107,26 @@ TEST(LeastTime, IsNoSlowerThanSplinesWhereSharpCornersFollowLongLines) {
   }
 }
 
+/// Found by the property above: between knots of the plan as far apart as elsewhere, jerk could not change as often as in the
+/// motion of least time, and most of a path that comes nearly to rest in a cloud of lines was crept along.
+TEST(LeastTime, IsFollowedWhereItComesNearlyToRest) {
+  const std::string text =
+      "G21 G90 G17 G94 F6000\n"
+      "G64 P0.034199\nG64 P0.010266\nG1 X-0.033037 Y0.058076 F2594\nG1 X0.099689 Y0.024327\n"
+      "G3 X0.243099052 Y0.109591063 I0.029073312 J0.114337169\n"
+      "G3 X0.207871377 Y0.168842637 I-0.047239624 J0.012011950\nG1 X0.138062 Y0.169122\n"
+      "G1 X0.159809 Y0.198937 F205\nG64 P0.014072\nG1 X0.192050 Y0.337128\nG64 P0.007112\n"
+      "G1 X0.190308 Y0.353381 F689\nG2 X0.222814806 Y0.393694835 I0.036410435 J0.003903352 F435\n"
+      "G1 X0.295291 Y0.404485\nG1 X0.288298 Y0.434901\nG64 P0.053646\nG1 X0.286642 Y0.414141\n"
+      "G1 X0.331058 Y0.525934\nG1 X0.306562 Y0.464278 F653\nG0 X0.312906 Y0.479505\n"
+      "G2 X0.346241979 Y0.493232415 I0.023531495 J-0.009804426\nG64 P0.015140\n"
+      "G2 X0.376108993 Y0.420700948 I-0.021332227 J-0.051199241\nG1 X0.353614 Y0.346076\n"
+      "M2\n";
+  const Outcome outcome = run_on(mill_of_least_time(), text);
+  EXPECT_TRUE(keeps_promises(outcome));
+  EXPECT_LE(outcome.summary.time_s, run(text).summary.time_s);
+}
+
 /// Found by the property above: at a slow feed and a tenth of a micrometre, hundreds of polynomials lie in an interval.
 TEST(LeastTime, KeepsJerkAlongATinyCircleAtASlowFeed) {
   std::string text =

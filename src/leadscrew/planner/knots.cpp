@@ -113,12 +113,14 @@ class Placement {
     return sample_of(section_.see(s, side).at_feed(range_.feed_factor), s, from_rest(s), is_of_tip, constraints_);
   }
 
+  double closest_per_ramp() const { return range_.closeness * per_ramp; }
   static double ramp_width(const Sample& sample, double x, double per) {
     return per_ramp / per * planner::ramp_width({infinity, sample.a, sample.j}, x);
   }
   double width_by_cap(const Sample& sample) const {
     const double d = from_rest(sample.s);
-    return std::min({ramp_width(sample, sample.cap, per_ramp), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
+    return std::min(
+        {ramp_width(sample, sample.cap, closest_per_ramp()), sample.h_curve, std::max(ramp_grading * d, 1e-12)});
   }
 
   /// Or so nearly that speed follows without effort: where feed is counted by some of the axes it may be asked to
@@ -236,8 +238,8 @@ class Placement {
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       Sample& sample = samples_[i];
       const double d = from_rest(sample.s);
-      const double ramp = ramp_width(sample, sample.reach, per_ramp);
-      const double beyond = std::max(0.0, alone[i] - ramp * per_ramp);
+      const double ramp = ramp_width(sample, sample.reach, closest_per_ramp());
+      const double beyond = std::max(0.0, alone[i] - ramp * closest_per_ramp());
       const double cruise = std::min(cruise_width(sample, sample.reach), cruise_grading * beyond);
       sample.h = std::min({std::max(ramp, cruise), sample.h_curve, ramp_grading * d});
     }
@@ -247,7 +249,7 @@ class Placement {
       if (!(change > 1e-9) || !same(a, b)) continue;
       const double widest = change_of_knot / change * (b.s - a.s);
       for (Sample* const sample : {&a, &b})
-        sample->h = std::min(sample->h, std::max(widest, ramp_width(*sample, sample->reach, per_ramp)));
+        sample->h = std::min(sample->h, std::max(widest, ramp_width(*sample, sample->reach, closest_per_ramp())));
     }
     if (range_.kept.size() > 1) {  // what is new goes on from the last interval that is there
       const double joint = range_.kept.back(), width = joint - *(range_.kept.end() - 2);

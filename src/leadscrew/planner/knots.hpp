@@ -34,6 +34,7 @@ struct PlannedRange {
   bool starts_at_rest = true;
   bool ends_at_rest = true;  ///< otherwise the path goes on beyond `end`, but nothing is known of it
   double feed_factor = 1;    ///< of the programmed feed
+  double closeness = 1;      ///< of knots while speed rises or falls, to what is usual; ≥ 1
   /// Knots from `begin` on that are there already, at least 2 unless it starts at rest; what is new begins at the last.
   std::vector<double> kept;
   std::vector<bool> kept_breaks;

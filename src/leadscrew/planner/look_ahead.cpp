@@ -22,6 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void LookAhead::append(const toolpath::Piece& piece) {
   section_.append(piece);
+  is_of_least_time_ = is_of_least_time_ || piece.is_of_least_time;
   const double length = piece.axes().length();
   for (const double s : {0.0, length / 2}) {
     const geometry::PointJet jet = piece.axes().jets(s);
@@ -44,13 +45,16 @@ void LookAhead::clear() {
   last_begin_ = tail_end_ = last_tail_end_ = 0;
   fastest_ = slowest_stop_ = reach_ = 0;
   moving_.reset();
+  is_of_least_time_ = false;
   gentle_.reset();
   lowerings_ = 0;
   least_balance_ = 0;
 }
 
 std::size_t LookAhead::most_intervals() const {
-  return std::clamp(rows_of_a_window / std::max(moving_.count(), std::size_t{1}), least_intervals, greatest_intervals);
+  const std::size_t usual =
+      std::clamp(rows_of_a_window / std::max(moving_.count(), std::size_t{1}), least_intervals, greatest_intervals);
+  return is_of_least_time_ ? tuning::least_time::closeness * usual : usual;
 }
 
 void LookAhead::override_feed(double factor) {
@@ -89,6 +93,7 @@ PlannedRange LookAhead::next_range() const {
   range.starts_at_rest = !continuation_;
   range.ends_at_rest = closed_ && range.end == section_.length();
   if (factor_ > 0) range.feed_factor = factor_;
+  if (is_of_least_time_) range.closeness = tuning::least_time::closeness;
   if (continuation_) {
     range.kept = continuation_->s;
     range.kept_breaks = continuation_->breaks;

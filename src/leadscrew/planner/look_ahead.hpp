@@ -133,6 +133,7 @@ class LookAhead {
   double fastest_ = 0;                    ///< greatest speed of the pieces so far
   double slowest_stop_ = 0;               ///< longest time to stop from it
   std::bitset<base::axis_count> moving_;  ///< axes that the pieces so far move
+  bool is_of_least_time_ = false;         ///< is any piece so far?
 };
 
 }  // namespace leadscrew::planner

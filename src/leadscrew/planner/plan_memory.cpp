@@ -16,8 +16,8 @@ std::optional<WindowKey> WindowKey::of(const Section& section, const PlannedRang
   key.numbers = {range.feed_factor, aim == Aim::rest ? 1.0 : 0.0, static_cast<double>(most_intervals)};
   for (const toolpath::Piece& piece : section.pieces()) {
     if (piece.transformation || piece.contact) return std::nullopt;  // these numbers do not tell all of it
-    key.numbers.insert(key.numbers.end(),
-                       {piece.feed, static_cast<double>(piece.feed_axes), piece.sagitta, piece.is_of_tip ? 1.0 : 0.0});
+    key.numbers.insert(key.numbers.end(), {piece.feed, static_cast<double>(piece.feed_axes), piece.sagitta,
+                                           piece.is_of_tip ? 1.0 : 0.0, piece.is_of_least_time ? 1.0 : 0.0});
     geometry::append_shape(piece.curve, key.numbers);
     if (key.numbers.size() > most_remembered_numbers) return std::nullopt;
   }

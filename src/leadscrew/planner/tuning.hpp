@@ -39,6 +39,14 @@ inline constexpr std::size_t knots_at_end = 8;  // that nothing comes between
 inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a window that ends in motion
 }  // namespace knots
 
+/// Along paths of least time, where jerk jumps every few milliseconds as it did in the motion that they were found as: that so
+/// much closer knots, in windows of so many more, follow. Closer: nearer to that motion's time (half a percent of it is lost
+/// here, of engraving one and a half; at 1 twice that, and more than any stop takes where it is slowest). Farther apart: less work.
+namespace least_time {
+inline constexpr std::size_t closeness = 2;
+inline constexpr std::size_t most_refined = 1000;  // intervals, as below
+}  // namespace least_time
+
 /// One window. Smaller gaps and more repairs: nearer to the least time and fewer windows refused
 /// (`Planner::refused_windows`, held at almost none by tests of random programs). Larger and fewer: less work.
 namespace window {

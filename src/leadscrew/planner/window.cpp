@@ -208,7 +208,7 @@ std::unique_ptr<Window> WindowPlanner::plan() const {
     auto window =
         std::make_unique<Window>(SpeedProfile(section_, constraints_, knots, *continuation_, range_.feed_factor));
     if (!(window->profile.greatest_ratio() < 1)) return nullptr;
-    const bool may_refine = range_.changes_from > 0 && refinement < refinements;
+    const bool may_refine = (range_.changes_from > 0 || range_.closeness > 1) && refinement < refinements;
     if (repair_in_motion(*window, may_refine ? &knots : nullptr)) return window;
     if (knots.intervals == intervals || !effort_.goes_on()) return nullptr;
   }
@@ -276,7 +276,8 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     if (aim_ == Aim::fastest) profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
-    const bool coarse = window.worst > coarse_knots || round + 1 >= rounds;  // or repairs have not helped
+    // Or repairs have not helped.
+    const bool coarse = range_.changes_from > 0 ? window.worst > coarse_knots || round + 1 >= rounds : round > 0;
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
     // Where it begins, motion is what it was: nothing that can be tightened.
@@ -300,8 +301,8 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
   return false;
 }
 
-/// Knots come between those that lie too far apart for what the window does: where the proof is not kept, and wherever
-/// speed changes, if that adds no more than may be added. False if none come.
+/// Knots come between those that lie too far apart for what the window does: where the proof is not kept, and, where feed has
+/// changed, wherever speed does, if that adds no more than may be added. False if none come.
 bool WindowPlanner::refine(Knots& knots, const Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
@@ -332,11 +333,13 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
     }
     return parts;
   };
-  const std::size_t most_added = n < most_refined ? most_refined - n : 0;
+  const bool changes = range_.changes_from > 0;
+  const std::size_t most = changes ? most_refined : std::max(most_refined, tuning::least_time::most_refined);
+  const std::size_t most_added = n < most ? most - n : 0;
   const auto added_by = [](const std::vector<std::size_t>& parts) {
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0}) - parts.size();
   };
-  std::vector<std::size_t> parts = parts_if(true, 1);
+  std::vector<std::size_t> parts = changes ? parts_if(true, 1) : parts_if(false, infinity);
   for (double wider = 1; added_by(parts) > most_added && wider < widest; wider *= 1.5) parts = parts_if(false, wider);
   if (added_by(parts) > most_added) parts = parts_if(false, infinity);
   if (added_by(parts) == 0 || added_by(parts) > most_added) return false;

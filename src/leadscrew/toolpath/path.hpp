@@ -81,6 +81,8 @@ struct Piece {
   bool is_of_tip = false;
   /// By which feed is counted where feed_axes says so: the curve is a Nurbs then.
   std::shared_ptr<const ContactRate> contact{};
+  /// The path of a motion of least time: at each knot of its curve jerk jumps as it did in that motion.
+  bool is_of_least_time = false;
 
   /// How axes travel it.
   AxisPath axes() const { return AxisPath(curve, transformation.get()); }

@@ -163,6 +163,7 @@ void RacingLine::emit(const Plan& plan, std::size_t from, std::size_t to) {
       while (mark + 1 < marks.size() && marks[mark + 1].time <= time) ++mark;
       Piece piece{s > 0 || next < length ? geometry::part(curve.curve, s, next) : curve.curve, feeds[feed].feed,
                   marks[mark].line};
+      piece.is_of_least_time = true;
       std::vector<LineMark> lines;
       for (std::size_t k = mark + 1; k < marks.size() && marks[k].time < until; ++k) {
         if (marks[k].line == (lines.empty() ? piece.line : lines.back().line)) continue;
