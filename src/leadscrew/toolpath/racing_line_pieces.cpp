@@ -138,12 +138,11 @@ void RacingLine::emit(const Plan& plan, std::size_t from, std::size_t to) {
     mark(0, source.leg->line);
     for (const LineMark& line : source.leg->lines) mark(line.s, line.line);
   }
-  const bool is_rest = is_end && to_rest;
   for (; !events_.empty(); events_.pop_front()) {
     const UpcomingEvent& next = events_.front();
-    if (next.u > borders_[plan.count] || (next.u == borders_[plan.count] && !is_rest)) break;
+    if (next.u > borders_[plan.count] || (next.u == borders_[plan.count] && !to_rest)) break;
     const double time = next.u <= borders_[0] ? begin : time_at(plan, next.u);
-    if (time >= end && !is_rest) break;
+    if (time >= end && !to_rest) break;
     events.emplace_back(std::clamp(time, begin, end), next.event);
   }
   while (!marks.empty() && marks.back().time >= end) marks.pop_back();
@@ -171,7 +170,7 @@ void RacingLine::emit(const Plan& plan, std::size_t from, std::size_t to) {
       }
       if (!lines.empty()) piece.lines = std::make_shared<const std::vector<LineMark>>(std::move(lines));
       std::vector<EventMark> passed;
-      for (; event < events.size() && (events[event].first < until || (until >= end && is_rest)); ++event)
+      for (; event < events.size() && (events[event].first < until || (until >= end && to_rest)); ++event)
         passed.push_back({std::clamp(curve.length_at(events[event].first) - s, 0.0, next - s), events[event].second});
       set_events(piece, std::move(passed));
       give(std::move(piece));
