@@ -63,8 +63,8 @@ class WordMaker {
   realtime::Planning planning(MayStart may_start);
   std::optional<planner::Chunk> next_chunk();
   bool inputs_let(const planner::Chunk& chunk);
-  /// Have the drives come to where a chunk with a pause before it begins? Who is asked sees them stand there. True of others.
   bool has_motion_ahead() const;
+  /// Have the drives come to where a chunk with a pause before it begins? Who is asked sees them stand there. True of others.
   bool stands_before(const planner::Chunk& chunk);
 
   const files::InputFile& program_;
