@@ -25,7 +25,7 @@ RC_GTEST_PROP(Nearest, NothingOnThePieceIsNearer, (std::uint64_t seed)) {
   at(end, Axis::Z) = uniform(-pitch, pitch);
   at(end, Axis::C) = uniform(-pitch, pitch);
   program.arc(end, gcode::Plane::XY, 0, 0, *rc::gen::element(-2, -1, 1, 3));
-  PieceSource source(source_of(program.moves), metric);
+  PieceSource source(source_of(program.moves), metric, false);
   Piece piece;
   while (source.next(piece)) {
     Point point = point_at(metric, piece, uniform(0, piece.span));
@@ -51,7 +51,7 @@ RC_GTEST_PROP(CurvePieces, FollowOneAnotherTurnLittleAndHaveOneNearestPoint, (st
   const machine::Machine machine = five_axes();
   const Metric metric(machine);
   const Program program = program_of(any_curve(random));
-  PieceSource source(source_of(program.moves), metric);
+  PieceSource source(source_of(program.moves), metric, false);
   Piece piece;
   Point end = metric.point(program.moves[0].start);
   while (source.next(piece)) {
@@ -91,7 +91,7 @@ RC_GTEST_PROP(CurvePieces, NothingOnThePieceIsNearer, (std::uint64_t seed)) {
   const machine::Machine machine = five_axes();
   const Metric metric(machine);
   const Program program = program_of(any_curve(random));
-  PieceSource source(source_of(program.moves), metric);
+  PieceSource source(source_of(program.moves), metric, false);
   Piece piece;
   while (source.next(piece)) {
     const double size = metric.distance(piece.from, piece.to);
@@ -113,7 +113,7 @@ RC_GTEST_PROP(CurvePieces, TheFarthestFromAChordIsTheLargestThereIs, (std::uint6
   const machine::Machine machine = five_axes();
   const Metric metric(machine);
   const Program program = program_of(any_curve(random));
-  PieceSource source(source_of(program.moves), metric);
+  PieceSource source(source_of(program.moves), metric, false);
   Piece piece;
   while (source.next(piece)) {
     const double from = uniform(0, 0.5), to = uniform(0.5, 1);
@@ -150,7 +150,7 @@ RC_GTEST_PROP(ArcPieces, TheFarthestFromAChordIsTheLargestThereIs, (std::uint64_
   program.arc(end_of_arc, gcode::Plane::XY, 0, 0, *rc::gen::element(-2, -1, 1, 3));
   const double aside = *rc::gen::element(0.0, 0.1, 2.0) * radius, across = *rc::gen::element(0.0, 0.0, 0.2) * radius;
   const std::size_t z = metric.coordinate(Axis::Z);
-  PieceSource source(source_of(program.moves), metric);
+  PieceSource source(source_of(program.moves), metric, false);
   Piece piece;
   while (source.next(piece)) {
     const double from = uniform(-0.5, 0.5) * piece.span, to = uniform(0.5, 1.5) * piece.span;
