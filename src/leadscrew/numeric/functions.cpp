@@ -87,6 +87,11 @@ Parts parts_of(double x) {
           static_cast<double>(static_cast<int>(bits >> 52) - 1022 - (is_normal ? 0 : 54))};
 }
 
+/// 2ᵏ, −1022 ≤ k ≤ 1023.
+double power_of_two(int k) {
+  return std::bit_cast<double>(static_cast<std::uint64_t>(k + 1023) << 52);
+}
+
 }  // namespace
 
 double atan2(double y, double x) {
@@ -120,10 +125,9 @@ double scaled_hypot(double x, double y, double z) {
 /// Of w 8ᵏ, 1/8 ≤ w < 1: a parabola's first digits, twice Halley's step, and Newton's from all digits of the cube.
 double cbrt(double x) {
   if (x == 0 || !std::isfinite(x)) return x;
-  int exponent = 0;
-  const double mantissa = std::frexp(std::abs(x), &exponent);
-  const int thirds = (exponent > 0 ? exponent + 2 : exponent) / 3;
-  const double w = std::ldexp(mantissa, exponent - 3 * thirds);
+  const Parts parts = parts_of(std::abs(x));
+  const int exponent = static_cast<int>(parts.exponent), thirds = (exponent > 0 ? exponent + 2 : exponent) / 3;
+  const double w = parts.mantissa * power_of_two(exponent - 3 * thirds);
   double root = 0.3813 + w * (1.0719 - 0.469 * w);
   for (int step = 0; step < 2; ++step) {
     const double cube = root * root * root;
@@ -131,7 +135,7 @@ double cbrt(double x) {
   }
   const DoubleDouble square = two_product(root, root), cube = two_product(square.hi, root);
   root = root + ((w - cube.hi) - (cube.lo + square.lo * root)) / (3 * square.hi);
-  return std::copysign(std::ldexp(root, thirds), x);
+  return std::copysign(root * power_of_two(thirds), x);
 }
 
 /// Of (1 + f) 2ᵏ, √½ ≤ 1 + f < √2, with s = f/(2 + f): ln(1 + f) = 2 atanh s = f − f²/2 + s (f²/2 + 2 (s²/3 + s⁴/5 + …)).
