@@ -2,6 +2,7 @@
 // its end is told when motion rests there.
 
 #include <cmath>
+#include <cstdint>
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <leadscrew/interpolator/tick_time.hpp>
 
@@ -11,24 +12,25 @@ namespace {
 
 constexpr double longer_than_any = 1e9;  // s
 
+using Kind = base::Event::Kind;
+
+/// Kinds as bits: of a switch GCC makes a jump through a table, which the cycle does without.
+constexpr std::uint64_t bit(Kind kind) {
+  return std::uint64_t{1} << static_cast<unsigned>(kind);
+}
+constexpr std::uint64_t clockwise = bit(Kind::spindle_clockwise);
+constexpr std::uint64_t stops = bit(Kind::spindle_stop) | bit(Kind::spindle_orientation) | bit(Kind::program_end);
+constexpr std::uint64_t obeyed = clockwise | bit(Kind::spindle_counterclockwise) | bit(Kind::spindle_speed) | stops;
+
 }  // namespace
 
 /// Obeys the events that have been passed, at this time: that of a word, so that it is the same wherever chunks are cut.
 void Interpolator::turn_spindle(numeric::DoubleDouble time) {
-  using Kind = base::Event::Kind;
   for (; turned_ < passed_; ++turned_) {
     const planner::PlacedEvent& event = chunk_->event(turned_);
-    // No switch: GCC makes a jump through a table of it, which the cycle does without.
-    const auto is_any_of = [kind = event.kind](auto... kinds) { return ((kind == kinds) || ...); };
-    if (event.kind == Kind::spindle_clockwise) {
-      direction_ = 1;
-    } else if (event.kind == Kind::spindle_counterclockwise) {
-      direction_ = -1;
-    } else if (is_any_of(Kind::spindle_stop, Kind::spindle_orientation, Kind::program_end)) {
-      direction_ = 0;
-    } else if (event.kind != Kind::spindle_speed) {
-      continue;
-    }
+    const std::uint64_t kind = bit(event.kind);
+    if ((kind & obeyed) == 0) continue;
+    if (kind != bit(Kind::spindle_speed)) direction_ = (kind & stops) != 0 ? 0 : kind == clockwise ? 1 : -1;
     spindle_->turn(direction_ == 0 ? 0 : direction_ * event.value, time.value());
   }
 }
