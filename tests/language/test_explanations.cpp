@@ -4,7 +4,7 @@
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/language/code_page.hpp>
 #include <leadscrew/language/code_words.hpp>
-#include <leadscrew/language/diagnostic_text.hpp>
+#include <leadscrew/language/diagnostic_meaning.hpp>
 #include <leadscrew/language/explanation.hpp>
 #include <sstream>
 

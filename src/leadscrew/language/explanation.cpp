@@ -6,7 +6,7 @@
 #include <leadscrew/base/nearest.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
 #include <leadscrew/language/code_words.hpp>
-#include <leadscrew/language/diagnostic_text.hpp>
+#include <leadscrew/language/diagnostic_meaning.hpp>
 #include <leadscrew/language/explanation.hpp>
 #include <leadscrew/language/tokens.hpp>
 #include <optional>
@@ -191,7 +191,7 @@ class Explanation {
 }  // namespace
 
 base::Result<std::string> explanation(std::string_view block, Dialect dialect) {
-  if (auto text = diagnostic_text(block)) return *text;
+  if (auto text = diagnostic_meaning(block)) return *text;
   if (looks_like_diagnostic(block))
     return base::failure(base::problem(
         "unknown-code",

@@ -19,6 +19,6 @@ bool looks_like_diagnostic(std::string_view text);
 
 /// What is wrong and what to do, in lines of 100 characters at most, and the example where the page has one. Empty where
 /// no diagnostic has this code.
-std::optional<std::string> diagnostic_text(std::string_view code);
+std::optional<std::string> diagnostic_meaning(std::string_view code);
 
 }  // namespace leadscrew::language

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <leadscrew/language/diagnostic_text.hpp>
+#include <leadscrew/language/diagnostic_meaning.hpp>
 
 namespace leadscrew::language {
 
@@ -128,7 +128,7 @@ bool looks_like_diagnostic(std::string_view text) {
   return has_hyphen && !begins;
 }
 
-std::optional<std::string> diagnostic_text(std::string_view code) {
+std::optional<std::string> diagnostic_meaning(std::string_view code) {
   std::optional<std::string> text;
   walk(
       [&](std::string_view name, std::string_view section) {
