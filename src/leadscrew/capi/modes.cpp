@@ -134,12 +134,6 @@ int leadscrew_program_modes(const leadscrew_machine* machine, const char* text, 
                             leadscrew_error* error) {
   if (machine == nullptr || !is_text(text, length) || on_modes == nullptr)
     return misuse(error, "the machine, the text or the function is NULL, or the length is none that memory holds");
-  return guarded(error, [&] {
-    leadscrew_options asked{};
-    host::MotionOptions reading;
-    if (const int code = read_options(options, machine->machine, asked, reading, error); code != LEADSCREW_OK)
-      return code;
-    ProgramReadings readings(machine->machine, std::string(text, length), std::move(reading));
-    return tell_modes(readings, on_modes, user, error);
-  });
+  return with_readings(*machine, text, length, options, error,
+                       [&](ProgramReadings& readings) { return tell_modes(readings, on_modes, user, error); });
 }

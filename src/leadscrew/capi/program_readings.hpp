@@ -52,4 +52,17 @@ class ProgramReadings {
   std::optional<base::Diagnostic> error_;
 };
 
+/// What `use` makes of the readings of a program. The machine and the text are there, as the caller has seen.
+template <class Use>
+int with_readings(const leadscrew_machine& machine, const char* text, size_t length, const leadscrew_options* given,
+                  leadscrew_error* error, const Use& use) {
+  return guarded(error, [&] {
+    leadscrew_options asked{};
+    host::MotionOptions options;
+    if (const int code = read_options(given, machine.machine, asked, options, error); code != LEADSCREW_OK) return code;
+    ProgramReadings readings(machine.machine, std::string(text, length), std::move(options));
+    return use(readings);
+  });
+}
+
 }  // namespace leadscrew::capi

@@ -28,14 +28,7 @@ int with_program(const leadscrew_machine* machine, const char* text, size_t leng
   if (machine == nullptr || !is_text(text, length) || !has_function)
     return misuse(error, "the machine, the text or the function is NULL, or the length is none that memory holds");
   if (!(number > 0 && std::isfinite(number))) return misuse(error, "the sag or the tolerance is not more than 0");
-  return guarded(error, [&] {
-    leadscrew_options asked{};
-    host::MotionOptions options;
-    if (const int code = read_options(given, machine->machine, asked, options, error); code != LEADSCREW_OK)
-      return code;
-    ProgramReadings readings(machine->machine, std::string(text, length), std::move(options));
-    return use(readings);
-  });
+  return with_readings(*machine, text, length, given, error, use);
 }
 
 /// The surfaces of a whole reading. False where there are too many; an error is that of the readings.
