@@ -4,7 +4,7 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { deflateRawSync } from "node:zlib";
-import { defineConfig, type Plugin } from "vite";
+import { defineConfig, type HtmlTagDescriptor, type Plugin, type Rollup } from "vite";
 import { framed, pages, type PageName } from "./shell";
 
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
@@ -54,6 +54,42 @@ function shell(): Plugin {
   };
 }
 
+/** Those that a script imports while it runs, and what they import. */
+function laterScripts(chunk: Rollup.OutputChunk | undefined, bundle: Rollup.OutputBundle): Set<string> {
+  const found = new Set(chunk?.dynamicImports);
+  for (const file of found) {
+    const part = bundle[file];
+    if (part?.type === "chunk") for (const each of part.imports) if (!chunk?.imports.includes(each)) found.add(each);
+  }
+  return found;
+}
+
+/** What a page's first script would ask for later, its engine and the rest of its scripts, is asked for at once. */
+function early(): Plugin {
+  return {
+    name: "leadscrew-early",
+    apply: "build",
+    enforce: "post",
+    transformIndexHtml: {
+      order: "post",
+      handler: (_, { path, bundle, chunk }) => {
+        const wasm = /(program|words)\.html$/.test(path) ? "program.wasm" : "lesson.wasm";
+        const engine = Object.values(bundle ?? {}).find((part) => part.type === "asset" && part.names.includes(wasm));
+        if (engine === undefined) throw new Error(`there is no ${wasm}`);
+        const link = (file: string, attrs: Readonly<Record<string, string>>): HtmlTagDescriptor => ({
+          tag: "link",
+          attrs: { ...attrs, crossorigin: "", href: `./${file}` },
+          injectTo: "head",
+        });
+        return [
+          link(engine.fileName, { rel: "preload", as: "fetch", type: "application/wasm" }),
+          ...[...laterScripts(chunk, bundle ?? {})].map((file) => link(file, { rel: "modulepreload" })),
+        ];
+      },
+    },
+  };
+}
+
 /** What a page may load: nothing but itself. The editor of programs writes its style into the page. */
 function policy(isFile: boolean): Plugin {
   const rules = (isProgram: boolean, plans: boolean): string[] => [
@@ -95,7 +131,8 @@ function oneFile(name: PageName): Plugin {
       for (const [file, part] of Object.entries(bundle)) {
         if (file === own) continue;
         if (part.type === "chunk") {
-          const code = part.code.replace(/<\/script/g, "<\\/script");
+          // Nothing is left to be loaded before a script that is imported late: it is within the page.
+          const code = part.code.replaceAll("__VITE_PRELOAD__", "void 0").replace(/<\/script/g, "<\\/script");
           html = html
             .replace(new RegExp(`<script[^>]*${part.fileName}[^>]*></script>`), "")
             .replace("</body>", () => `<script type="module">${code}</script></body>`);
@@ -116,14 +153,14 @@ export default defineConfig(({ mode }) => {
   const inputs = file === undefined ? names : [file];
   return {
     base: "./",
-    plugins: [shell(), engine(isFile), policy(isFile), ...(isFile ? [oneFile(file)] : [])],
+    plugins: [shell(), engine(isFile), policy(isFile), isFile ? oneFile(file) : early()],
     worker: { format: isFile ? "iife" : "es" },
     server: { fs: { allow: [here("..")] } },
     build: {
       outDir: `${built}/${isFile ? "file" : "page"}`,
       emptyOutDir: file === undefined || file === "lesson",
       target: "es2022",
-      modulePreload: false,
+      modulePreload: isFile ? false : { polyfill: false },
       chunkSizeWarningLimit: 4000,
       rollupOptions: {
         input: inputs.map((name) => here(pages[name].file)),

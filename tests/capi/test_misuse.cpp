@@ -130,6 +130,8 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
   leadscrew_trajectory* planned = nullptr;
   ASSERT_EQ(leadscrew_motion_plan(motion.get(), &planned, nullptr), LEADSCREW_OK);
   const Trajectory trajectory(planned);
+  leadscrew_pose pose{};
+  const double not_a_time = std::numeric_limits<double>::quiet_NaN();
   leadscrew_state state{}, short_state{};
   state.size = sizeof state;
   short_state.size = 335;  // the first version's has 336
@@ -169,6 +171,12 @@ TEST(Capi, ReturnsACodeForEveryMisuse) {
       leadscrew_trajectory_at(trajectory.get(), 0, nullptr, nullptr),
       leadscrew_trajectory_at(trajectory.get(), 0, &short_state, nullptr),
       leadscrew_trajectory_at(trajectory.get(), std::numeric_limits<double>::quiet_NaN(), &state, nullptr),
+      leadscrew_trajectory_sample(nullptr, position, 1, &state, sizeof state, nullptr, 0, nullptr),
+      leadscrew_trajectory_sample(trajectory.get(), nullptr, 1, &state, sizeof state, nullptr, 0, nullptr),
+      leadscrew_trajectory_sample(trajectory.get(), position, 1, nullptr, sizeof state, nullptr, 0, nullptr),
+      leadscrew_trajectory_sample(trajectory.get(), position, 1, &state, 335, nullptr, 0, nullptr),
+      leadscrew_trajectory_sample(trajectory.get(), position, 1, &state, sizeof state, &pose, 8, nullptr),
+      leadscrew_trajectory_sample(trajectory.get(), &not_a_time, 1, &state, sizeof state, nullptr, 0, nullptr),
   };
   for (const int code : codes) EXPECT_EQ(code, LEADSCREW_MISUSE) << &code - codes;
   EXPECT_EQ(leadscrew_motion_override(motion.get(), 2.5, nullptr), LEADSCREW_REJECTED);

@@ -42,6 +42,28 @@ TEST(Capi, PlansAProgramWithItsWords) {
   EXPECT_GT(duration, end - 1e-3);
 }
 
+TEST(Capi, SamplesATrajectoryAtManyTimes) {
+  const Motion motion = program(plate);
+  const Trajectory planned = plan(motion.get());
+  const double duration = leadscrew_trajectory_duration(planned.get());
+  std::vector<double> times;
+  for (double time = -0.01; time < duration + 0.01; time += 0.0007) times.push_back(time);
+  times.insert(times.end(), {duration / 2, duration / 3, duration / 3, 2 * duration, duration / 5});
+  std::vector<leadscrew_state> states(times.size());
+  std::vector<leadscrew_pose> poses(times.size());
+  ASSERT_EQ(leadscrew_trajectory_sample(planned.get(), times.data(), times.size(), states.data(), sizeof states[0],
+                                        poses.data(), sizeof poses[0], nullptr),
+            LEADSCREW_OK);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const leadscrew_state state = at(planned.get(), times[i]);
+    ASSERT_EQ(std::memcmp(&states[i], &state, sizeof state), 0) << times[i];
+    leadscrew_pose pose{};
+    pose.size = sizeof pose;
+    ASSERT_EQ(leadscrew_trajectory_pose(planned.get(), times[i], &pose, nullptr), LEADSCREW_OK);
+    ASSERT_EQ(std::memcmp(&poses[i], &pose, sizeof pose), 0) << times[i];
+  }
+}
+
 TEST(Capi, PlansMovesBeforeTheyGo) {
   const Motion motion = moves();
   const leadscrew_move there = line(100, 0, 0, 40);

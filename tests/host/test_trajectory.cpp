@@ -41,6 +41,18 @@ void expect_the_words(const host::Trajectory& planned, const std::vector<base::W
     ASSERT_EQ(again.tick, word.tick);
     ASSERT_TRUE(same_bits(again.position, word.position) && again.state == word.state && again.line == word.line);
   }
+  pipeline::TrajectoryWalk walk(planned);
+  for (const base::Word& word : words) {
+    for (const double share : {0.0, 0.3, 0.9}) {
+      const double time = base::seconds(word.tick, period) + share * period.seconds();
+      const pipeline::TrajectoryState along = walk.at(time), there = planned.at(time);
+      ASSERT_TRUE(same_bits(along.position, there.position) && same_bits(along.velocity, there.velocity) &&
+                  same_bits(along.acceleration, there.acceleration) && same_bits(along.jerk, there.jerk) &&
+                  same_bits(along.path_length, there.path_length) && same_bits(along.feed, there.feed) &&
+                  along.line == there.line && along.state == there.state)
+          << time;
+    }
+  }
   ASSERT_EQ(planned.last_tick(), words.back().tick);
   const double end = base::seconds(words.back().tick, period), rounding = 1e-15 * end;
   ASSERT_LE(planned.duration(), end + rounding);

@@ -1,8 +1,6 @@
-// The program's page.
+// The program's page: the engine is opened first, and compiled while the page's own script comes.
 
 import { PlannerClient } from "./engine/planner_client";
-import { recordingOfPage } from "./engine/recording";
-import { Workbench } from "./program/workbench";
 import "uplot/dist/uPlot.min.css";
 import "./style/page.css";
 import "./style/panel.css";
@@ -10,6 +8,10 @@ import "./style/program.css";
 import { show } from "./ui/shell";
 
 void show(async () => {
-  const planner = await PlannerClient.open();
-  return await Workbench.open(planner, recordingOfPage());
+  const opening = PlannerClient.open();
+  const [{ Workbench }, { recordingOfPage }] = await Promise.all([
+    import("./program/workbench"),
+    import("./engine/recording"),
+  ]);
+  return await Workbench.open(await opening, recordingOfPage());
 });

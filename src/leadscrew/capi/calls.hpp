@@ -82,6 +82,19 @@ bool fill(Struct* to, const Struct& from) {
   return true;
 }
 
+/// Is it sizeof(Struct) in one of the versions that there were, or are to come?
+template <class Struct>
+constexpr bool is_size(std::size_t size) {
+  return size >= first_size<Struct> && size <= greatest_size;
+}
+
+/// The i-th of an array of the caller's structures, each `size` bytes long: its size, and all else as far as it reaches.
+template <class Struct>
+void put(Struct* array, std::size_t size, std::size_t i, Struct from) {
+  from.size = size;
+  std::memcpy(reinterpret_cast<char*>(array) + i * size, &from, std::min(size, sizeof from));
+}
+
 /// As much of it as fits, and a 0 behind.
 template <std::size_t size>
 void copy_text(char (&to)[size], std::string_view from) {

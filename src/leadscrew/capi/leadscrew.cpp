@@ -101,7 +101,7 @@ void take_tools(leadscrew_trajectory& trajectory) {
   });
 }
 
-leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time) {
+leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time, const base::AxisVector& axes) {
   leadscrew_pose pose{};
   pose.size = sizeof pose;
   // A word belongs to the way that leads to it: what happens in its period is in force for it.
@@ -110,7 +110,6 @@ leadscrew_pose pose_of(const leadscrew_trajectory& trajectory, double time) {
       trajectory.tools.begin(), trajectory.tools.end(), time,
       [&](double t, const auto& held) { return t < (static_cast<double>(base::count(held.tick)) - 0.5) * period; });
   const leadscrew_trajectory::Held held = next == trajectory.tools.begin() ? leadscrew_trajectory::Held{} : *(next - 1);
-  const base::AxisVector axes = trajectory.planned.at(time).position;
   if (trajectory.machine.rotary_chain) {
     const kinematics::Chain chain = kinematics::chain_of(trajectory.machine);
     const auto tip = kinematics::pose_of(chain, axes, held.offset);
@@ -349,8 +348,26 @@ int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double tim
                               leadscrew_error* error) {
   if (trajectory == nullptr) return misuse(error, "the trajectory is NULL");
   if (std::isnan(time)) return misuse(error, "the time is no number");
-  if (!fill(pose, pose_of(*trajectory, time)))
+  if (!fill(pose, pose_of(*trajectory, time, trajectory->planned.at(time).position)))
     return misuse(error, "the pose is NULL, or its size is none that a version had");
+  return LEADSCREW_OK;
+}
+
+int leadscrew_trajectory_sample(const leadscrew_trajectory* trajectory, const double* times, size_t count,
+                                leadscrew_state* states, size_t state_size, leadscrew_pose* poses, size_t pose_size,
+                                leadscrew_error* error) {
+  if (trajectory == nullptr || (count > 0 && (times == nullptr || states == nullptr)))
+    return misuse(error, "the trajectory, the times or the states are NULL");
+  if (std::any_of(times, times + count, [](double time) { return std::isnan(time); }))
+    return misuse(error, "one of the times is no number");
+  if (!is_size<leadscrew_state>(state_size) || (poses != nullptr && !is_size<leadscrew_pose>(pose_size)))
+    return misuse(error, "a size is none that a version had");
+  pipeline::TrajectoryWalk walk(trajectory->planned);
+  for (size_t i = 0; i < count; ++i) {
+    const pipeline::TrajectoryState state = walk.at(times[i]);
+    put(states, state_size, i, state_of(state));
+    if (poses != nullptr) put(poses, pose_size, i, pose_of(*trajectory, times[i], state.position));
+  }
   return LEADSCREW_OK;
 }
 

@@ -288,6 +288,12 @@ LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory
 /** Where the tool is at `time`, by position of the axes and the tool that is in force. */
 LEADSCREW_API int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double time, leadscrew_pose* pose,
                                             leadscrew_error* error);
+/** Both at times that rise, as the two calls above tell them, much faster: states[0 … count), of `state_size` bytes each,
+ * sizeof(leadscrew_state), and poses[0 … count), of `pose_size`, sizeof(leadscrew_pose), which may be NULL. Times that do not rise are
+ * answered too, as slowly as one by one. */
+LEADSCREW_API int leadscrew_trajectory_sample(const leadscrew_trajectory* trajectory, const double* times, size_t count,
+                                              leadscrew_state* states, size_t state_size, leadscrew_pose* poses,
+                                              size_t pose_size, leadscrew_error* error);
 /** By what motion is held in a state that leadscrew_trajectory_at() has told of it, as leadscrew_trajectory_blocks() attributes
  * lost time: acceleration before jerk, velocity and chord error. `feed_asked`: leadscrew_block.feed_asked of the block there,
  * times the feed override; above 0, HUGE_VAL of a rapid. */

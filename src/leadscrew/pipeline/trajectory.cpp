@@ -22,6 +22,23 @@ void set_rates(TrajectoryState& state, const geometry::PointJet& q, const planne
   }
 }
 
+/// Of the next word of `cycle`.
+TrajectoryState next_state(interpolator::Interpolator& cycle) {
+  TrajectoryState state;
+  if (const auto on_path = cycle.on_path()) {
+    const planner::PathState& along = on_path->along;
+    set_rates(state, planner::one_sided_jets(on_path->piece.axes(), along.s, planner::Side::right), along);
+  }
+  const base::Word word = cycle.next();
+  state.position = word.position;
+  state.path_length = word.path_length;
+  state.speed = word.speed;
+  state.feed = word.feed;
+  state.line = word.line;
+  state.state = word.state;
+  return state;
+}
+
 }  // namespace
 
 void Trajectory::append(planner::Chunk chunk) {
@@ -76,19 +93,19 @@ interpolator::Interpolator Trajectory::cycle_at(DoubleDouble time) const {
 
 TrajectoryState Trajectory::at(double t) const {
   interpolator::Interpolator cycle = cycle_at(exact(t));
-  TrajectoryState state;
-  if (const auto on_path = cycle.on_path()) {
-    const planner::PathState& along = on_path->along;
-    set_rates(state, planner::one_sided_jets(on_path->piece.axes(), along.s, planner::Side::right), along);
+  return next_state(cycle);
+}
+
+TrajectoryState TrajectoryWalk::at(double t) {
+  const DoubleDouble time = trajectory_.exact(t);
+  if (time < at_ || end_ <= time) {
+    cycle_ = trajectory_.cycle_at(time);
+    end_ = cycle_.end();
+  } else {
+    cycle_.seek(time);
   }
-  const base::Word word = cycle.next();
-  state.position = word.position;
-  state.path_length = word.path_length;
-  state.speed = word.speed;
-  state.feed = word.feed;
-  state.line = word.line;
-  state.state = word.state;
-  return state;
+  at_ = time;
+  return next_state(cycle_);
 }
 
 base::Word Trajectory::word(base::Tick tick) const {

@@ -72,6 +72,25 @@ class Trajectory {
   std::deque<Part> parts_;           ///< places in it stay where they are
   interpolator::Interpolator last_;  ///< behind the last chunk
   base::Period period_;
+
+  friend class TrajectoryWalk;
+};
+
+/// Trajectory::at() along times that rise, bit for bit, in a time that does not grow with what a chunk holds.
+class TrajectoryWalk {
+ public:
+  /// The trajectory outlives it, and nobody appends meanwhile.
+  explicit TrajectoryWalk(const Trajectory& trajectory)
+      : trajectory_(trajectory), cycle_(trajectory.cycle_at(at_)), end_(cycle_.end()) {}
+
+  /// At any t; where it is before the last, it begins anew there.
+  TrajectoryState at(double t);
+
+ private:
+  const Trajectory& trajectory_;
+  numeric::DoubleDouble at_ = 0;
+  interpolator::Interpolator cycle_;
+  numeric::DoubleDouble end_;  ///< of the chunk in which at_ lies
 };
 
 }  // namespace leadscrew::pipeline

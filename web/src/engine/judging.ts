@@ -4,6 +4,7 @@ import * as layout from "./layout";
 import type { MotionModule } from "./motion_module";
 import type { Diagnostic, Figures, Task } from "./motion_types";
 import { spacingOf, timeOfWord } from "./sampling";
+import { withStates } from "./states";
 
 const leastTolerance = 1e-6; // mm; the referee takes no less for a departure
 const wordsBetweenTellings = 4096;
@@ -73,7 +74,6 @@ function judgedBy(
   const [distance, tolerance] = [new Float32Array(count), new Float32Array(count)];
   const { state, word, judged } = layout;
   const judge = (at: number, to: number, told: number): Diagnostic | undefined => {
-    module.calls.leadscrew_trajectory_at(trajectory, timeOfWord(tick, period), at, 0);
     new Uint8Array(module.calls.memory.buffer).copyWithin(
       to + word.position,
       at + state.position,
@@ -90,12 +90,13 @@ function judgedBy(
     tolerance[sample] = allowed;
   };
   let tick = 0;
-  return module.withSized(state.size, (at) =>
+  const timeOf = (word: number): number => timeOfWord(word, period);
+  return withStates({ module, trajectory, count: figures.words + 1, timeOf }, (states) =>
     module.with(word.size, (to) =>
       module.withSized(judged.size, (told) => {
         for (; tick <= figures.words; ++tick) {
           if (tick % wordsBetweenTellings === 0) progress(tick / (figures.words + 1));
-          const failure = judge(at, to, told);
+          const failure = judge(states.at(tick), to, told);
           if (failure !== undefined) return failure;
           take(Math.ceil(tick / every), told);
         }

@@ -18,7 +18,7 @@ declare module "leadscrew:engine" {
   export { openEngine } from "./served";
 }
 declare module "leadscrew:planner" {
-  export { startWorker, wasmBytes } from "./planner_served";
+  export { compiledModule, startWorker } from "./planner_served";
 }
 declare module "leadscrew:scene" {
   export { startWorker } from "../program/scene_served";

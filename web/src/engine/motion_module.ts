@@ -110,8 +110,16 @@ interface Exports extends CommonExports {
   leadscrew_referee_free(referee: number): void;
   leadscrew_trajectory_figures(trajectory: number, figures: number, error: number): number;
   leadscrew_trajectory_blocks(trajectory: number, onBlock: number, user: number, error: number): number;
-  leadscrew_trajectory_at(trajectory: number, time: number, state: number, error: number): number;
-  leadscrew_trajectory_pose(trajectory: number, time: number, pose: number, error: number): number;
+  leadscrew_trajectory_sample(
+    trajectory: number,
+    times: number,
+    count: number,
+    states: number,
+    stateSize: number,
+    poses: number,
+    poseSize: number,
+    error: number,
+  ): number;
   leadscrew_trajectory_hold(trajectory: number, state: number, feedAsked: number, hold: number, error: number): number;
   leadscrew_trajectory_steps(trajectory: number, clock: bigint, onText: number, user: number, error: number): number;
   leadscrew_trajectory_free(trajectory: number): void;

@@ -26,6 +26,7 @@ import { gougeAt, surfaceAt, takeContour, toolAt } from "./surfaces";
 import { ModesList } from "./modes";
 import { slidesOf } from "./loops";
 import { judgedOf, type Judged } from "./judging";
+import { withStates } from "./states";
 import { axesOf, BlockList, factorsOf, samplesOf, timeOfWord, traceOf } from "./sampling";
 import { circleWords, wordsOf } from "./words";
 
@@ -201,11 +202,13 @@ export class Planner implements PlannerCalls {
     if (typeof machine !== "number") return machine;
     const { trajectory, period, figures } = planned;
     try {
-      return module.withSized(layout.state.size, (at) =>
-        slidesOf(module, machine, axesOf(task.limits), loops, figures.words + 1, (word, to) => {
-          if (word % 4096 === 0) this.told("looking", word / (figures.words + 1));
-          module.calls.leadscrew_trajectory_at(trajectory, timeOfWord(word, period), at, 0);
-          to.set(new Float64Array(module.calls.memory.buffer, at + layout.state.position, layout.axes));
+      const count = figures.words + 1;
+      const timeOf = (word: number): number => timeOfWord(word, period);
+      return withStates({ module, trajectory, count, timeOf }, (states) =>
+        slidesOf(module, machine, axesOf(task.limits), loops, count, (word, to) => {
+          if (word % 4096 === 0) this.told("looking", word / count);
+          const at = states.at(word) + layout.state.position;
+          to.set(new Float64Array(module.calls.memory.buffer, at, layout.axes));
         }),
       );
     } finally {

@@ -1,6 +1,6 @@
 // The page's side of the planner: calls it in its worker, and ends the worker to end a call.
 
-import { startWorker, wasmBytes } from "leadscrew:planner";
+import { compiledModule, startWorker } from "leadscrew:planner";
 import type { Phase, PlannerCalls, PlannerMethod } from "./motion_types";
 import type { Reply, Request } from "./planner_worker";
 
@@ -24,16 +24,21 @@ interface Waiting {
 
 export class PlannerClient implements PlannerCalls {
   onProgress: (phase: Phase, share: number) => void = () => {};
-  private worker: Worker;
   private waiting = new Map<number, Waiting>();
   private last = 0;
 
-  private constructor(private readonly compiled: WebAssembly.Module) {
-    this.worker = this.begin();
+  private constructor(
+    private readonly compiled: WebAssembly.Module,
+    private worker: Worker,
+  ) {
+    this.begin(worker);
   }
 
+  /** The worker starts while its module is compiled. */
   static async open(): Promise<PlannerClient> {
-    return new PlannerClient(await WebAssembly.compile((await wasmBytes()) as BufferSource));
+    const compiled = compiledModule();
+    const worker = startWorker();
+    return new PlannerClient(await compiled, worker);
   }
 
   readonly limits: PlannerCalls["limits"] = (machine) => this.call("limits", [machine]);
@@ -59,12 +64,12 @@ export class PlannerClient implements PlannerCalls {
     this.worker.terminate();
     const ended = this.waiting;
     this.waiting = new Map();
-    this.worker = this.begin();
+    this.worker = startWorker();
+    this.begin(this.worker);
     for (const { reject } of ended.values()) reject(new Cancelled("cancelled"));
   }
 
-  private begin(): Worker {
-    const worker = startWorker();
+  private begin(worker: Worker): void {
     worker.onmessage = ({ data }: MessageEvent<Reply>) => {
       if ("phase" in data) return this.onProgress(data.phase, data.share);
       const asked = this.waiting.get(data.id);
@@ -73,7 +78,6 @@ export class PlannerClient implements PlannerCalls {
       else asked?.reject(new Error(data.failure));
     };
     worker.postMessage({ compiled: this.compiled } satisfies Request);
-    return worker;
   }
 
   private call(method: PlannerMethod, args: unknown[]): Promise<never> {

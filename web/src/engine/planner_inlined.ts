@@ -4,8 +4,8 @@ import text from "leadscrew:program.wasm?packed";
 import { unpacked } from "../ui/packing";
 import InlineWorker from "./planner_worker?worker&inline";
 
-export async function wasmBytes(): Promise<Uint8Array> {
-  return await unpacked(text);
+export async function compiledModule(): Promise<WebAssembly.Module> {
+  return await WebAssembly.compile(await unpacked(text));
 }
 
 export function startWorker(): Worker {

@@ -2,8 +2,11 @@
 
 import wasm from "leadscrew:program.wasm?url";
 
-export async function wasmBytes(): Promise<ArrayBuffer> {
-  return await (await fetch(new URL(wasm, document.baseURI))).arrayBuffer();
+/** While it comes, where the host says what it is. */
+export async function compiledModule(): Promise<WebAssembly.Module> {
+  const response = await fetch(new URL(wasm, document.baseURI));
+  if (response.headers.get("content-type") === "application/wasm") return await WebAssembly.compileStreaming(response);
+  return await WebAssembly.compile(await response.arrayBuffer());
 }
 
 export function startWorker(): Worker {

@@ -3,6 +3,7 @@
 import * as layout from "./layout";
 import type { Blocks, Figures, Limits, Samples, Task } from "./motion_types";
 import type { MotionModule } from "./motion_module";
+import { type States, withStates } from "./states";
 
 /** Takes blocks as they come. */
 export class BlockList {
@@ -121,48 +122,50 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
     holdAxis: new Uint8Array(count),
   };
   const blockAt = blockFinder(blocks, of.period);
-  let block = 0;
-  const takePose = (i: number, time: number, at: number): void => {
-    const of = layout.pose;
-    module.calls.leadscrew_trajectory_pose(trajectory, time, at, 0);
-    for (let k = 0; k < 3; ++k) {
-      samples.tip[i * 3 + k] = module.number(at + of.tip + 8 * k);
-      samples.direction[i * 3 + k] = module.number(at + of.direction + 8 * k);
-    }
-    samples.poleAngle[i] = module.number(at + of.poleAngle);
-    samples.tool[i] = module.view.getInt32(at + of.tool, true);
+  const takeState = (i: number, view: DataView, at: number): void => {
+    const of = layout.state;
+    axes.forEach((axis, k) => {
+      const to = i * axes.length + k;
+      samples.position[to] = view.getFloat64(at + of.position + 8 * axis, true);
+      samples.velocity[to] = view.getFloat64(at + of.velocity + 8 * axis, true);
+      samples.acceleration[to] = view.getFloat64(at + of.acceleration + 8 * axis, true);
+      samples.jerk[to] = view.getFloat64(at + of.jerk + 8 * axis, true);
+    });
+    samples.feed[i] = view.getFloat64(at + of.feed, true);
+    samples.line[i] = Number(view.getBigInt64(at + of.line, true));
   };
-  const takeHold = (i: number, time: number, state: number, at: number): void => {
-    const asked = (blocks.feedAsked[block] ?? 0) * of.factorAt(time) || Infinity; // in a dwell, and held, nothing is asked
-    module.calls.leadscrew_trajectory_hold(trajectory, state, asked, at, 0);
-    const axis = axes.indexOf(module.view.getInt32(at + layout.hold.axis, true));
-    samples.hold[i] = module.view.getInt32(at + layout.hold.kind, true);
+  const takePose = (i: number, view: DataView, at: number): void => {
+    const of = layout.pose;
+    for (let k = 0; k < 3; ++k) {
+      samples.tip[i * 3 + k] = view.getFloat64(at + of.tip + 8 * k, true);
+      samples.direction[i * 3 + k] = view.getFloat64(at + of.direction + 8 * k, true);
+    }
+    samples.poleAngle[i] = view.getFloat64(at + of.poleAngle, true);
+    samples.tool[i] = view.getInt32(at + of.tool, true);
+  };
+  const takeHold = (i: number, view: DataView, at: number): void => {
+    const axis = axes.indexOf(view.getInt32(at + layout.hold.axis, true));
+    samples.hold[i] = view.getInt32(at + layout.hold.kind, true);
     samples.holdAxis[i] = Math.max(axis, 0);
   };
-  const takeAll = (at: number, pose: number, hold: number): void => {
+  const timeOf = (i: number): number => timeOfWord(Math.min(i * every, of.figures.words), of.period);
+  const takeAll = (states: States, hold: number): void => {
     for (let i = 0; i < count; ++i) {
       if (i % 8192 === 0) progress(i / count);
-      const tick = Math.min(i * every, of.figures.words);
-      const time = timeOfWord(tick, of.period);
-      module.calls.leadscrew_trajectory_at(trajectory, time, at, 0);
-      const view = module.view;
-      axes.forEach((axis, k) => {
-        const to = i * axes.length + k;
-        samples.position[to] = view.getFloat64(at + layout.state.position + 8 * axis, true);
-        samples.velocity[to] = view.getFloat64(at + layout.state.velocity + 8 * axis, true);
-        samples.acceleration[to] = view.getFloat64(at + layout.state.acceleration + 8 * axis, true);
-        samples.jerk[to] = view.getFloat64(at + layout.state.jerk + 8 * axis, true);
-      });
-      samples.feed[i] = view.getFloat64(at + layout.state.feed, true);
-      samples.line[i] = module.integer(at + layout.state.line);
-      block = blockAt(time);
+      const time = timeOf(i);
+      const block = blockAt(time);
+      const asked = (blocks.feedAsked[block] ?? 0) * of.factorAt(time) || Infinity; // in a dwell, and held, nothing is asked
+      const at = states.at(i);
+      module.calls.leadscrew_trajectory_hold(trajectory, at, asked, hold, 0);
+      const { view } = module;
       samples.block[i] = block;
-      takeHold(i, time, at, hold);
-      takePose(i, time, pose);
+      takeState(i, view, at);
+      takeHold(i, view, hold);
+      takePose(i, view, states.poseAt(i));
     }
   };
-  module.withSized(layout.state.size, (at) =>
-    module.withSized(layout.pose.size, (pose) => module.withSized(layout.hold.size, (hold) => takeAll(at, pose, hold))),
+  withStates({ module, trajectory, count, timeOf, hasPoses: true }, (states) =>
+    module.withSized(layout.hold.size, (hold) => takeAll(states, hold)),
   );
   return samples;
 }
@@ -172,13 +175,14 @@ export function traceOf(of: Pick<Sampled, "module" | "trajectory" | "period" | "
   const { module, trajectory } = of;
   const axes = axesOf(of.limits);
   const parts: string[] = [`t,line,s,feed,${axes.map((axis) => "XYZABCUVW"[axis]).join(",")}\n`];
-  module.withSized(layout.state.size, (at) => {
-    for (let tick = 0; tick <= of.figures.words; ++tick) {
-      const time = timeOfWord(tick, of.period);
-      module.calls.leadscrew_trajectory_at(trajectory, time, at, 0);
+  const count = of.figures.words + 1;
+  const timeOf = (tick: number): number => timeOfWord(tick, of.period);
+  withStates({ module, trajectory, count, timeOf }, (states) => {
+    for (let tick = 0; tick < count; ++tick) {
+      const at = states.at(tick);
       const view = module.view;
       const numbers = [
-        time,
+        timeOf(tick),
         module.integer(at + layout.state.line),
         view.getFloat64(at + layout.state.pathLength, true),
         view.getFloat64(at + layout.state.feed, true),

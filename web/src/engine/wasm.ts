@@ -30,7 +30,11 @@ function importsOf(module: WebAssembly.Module, page: PageCalls): WebAssembly.Imp
 }
 
 export class WasmModule<Exports extends CommonExports> {
-  protected constructor(readonly calls: Exports) {}
+  private lastView: DataView;
+
+  protected constructor(readonly calls: Exports) {
+    this.lastView = new DataView(calls.memory.buffer);
+  }
 
   protected static async started<Exports extends CommonExports>(
     module: WebAssembly.Module,
@@ -42,9 +46,11 @@ export class WasmModule<Exports extends CommonExports> {
     return calls;
   }
 
-  /** Memory may grow, and views of it end then. */
+  /** Of the memory as it is: where that grows, views of it end. */
   get view(): DataView {
-    return new DataView(this.calls.memory.buffer);
+    const { buffer } = this.calls.memory;
+    if (this.lastView.buffer !== buffer) this.lastView = new DataView(buffer);
+    return this.lastView;
   }
 
   /** Zeroed; freed when `use` returns. */

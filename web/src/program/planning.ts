@@ -16,7 +16,7 @@ export type End = "unsound" | "cancelled" | "failed";
 
 export interface PlanningEvents {
   /** A run begins: of what was recorded, or of what is set now. */
-  begun(recorded: Recording | undefined): void;
+  begun(isRecorded: boolean): void;
   diagnosed(diagnostics: readonly Diagnostic[]): void;
   /** Shows a plan; asks between two pieces of that whether it is still wanted. */
   planned(plan: Plan, isCurrent: () => boolean): Promise<void>;
@@ -34,6 +34,7 @@ function originOf(recording: Recording | undefined): Origin | undefined {
 }
 
 export class Planning {
+  /** What they tell begins with the next task of the page's thread. */
   events: PlanningEvents | undefined;
   private runs = 0;
   private typing = 0;
@@ -123,7 +124,7 @@ export class Planning {
   /** A machine file, or the built-in mill, as it is. False where the file is wrong, or something else is asked for meanwhile. */
   async takeMachine(file: string): Promise<boolean> {
     this.stop();
-    this.events?.begun(undefined);
+    this.events?.begun(false);
     const limits = await unlessCancelled(this.planner.limits(file));
     if (limits === undefined) return false;
     if ("code" in limits) {
@@ -163,7 +164,7 @@ export class Planning {
   async run(): Promise<void> {
     const run = this.stop();
     const { recorded } = this;
-    this.events?.begun(recorded);
+    this.events?.begun(recorded !== undefined);
     try {
       await (recorded === undefined ? this.plan(run) : this.showRecorded(recorded, run));
     } catch (failure) {
@@ -171,13 +172,20 @@ export class Planning {
     }
   }
 
+  /** The planner goes on to plan while what it found is told, and is stopped where that is an error. */
   private async plan(run: number): Promise<void> {
     const { task } = this;
-    const checked = await unlessCancelled(this.planner.check(task));
+    const checking = unlessCancelled(this.planner.check(task));
+    const planning = unlessCancelled(this.planner.plan(task, mostSamples));
+    planning.catch(() => undefined); // a failure counts where the plan is waited for
+    const checked = await checking;
     if (checked === undefined || run !== this.runs) return;
     this.events?.diagnosed(checked.diagnostics);
-    if (!checked.isSound) return this.refuse();
-    const plan = await unlessCancelled(this.planner.plan(task, mostSamples));
+    if (!checked.isSound) {
+      this.planner.cancel();
+      return this.refuse();
+    }
+    const plan = await planning;
     if (plan === undefined || run !== this.runs) return;
     if ("code" in plan) {
       this.events?.diagnosed([...checked.diagnostics, plan]);

@@ -88,7 +88,9 @@ export class Workbench implements Mode {
 
   /** With what the command has recorded, where it has. */
   static async open(planner: PlannerClient, recording?: Recording): Promise<Workbench> {
-    return new Workbench(planner, await Planning.open(planner, recording));
+    const planning = await Planning.open(planner, recording);
+    void planning.run(); // the engine works while the page is made
+    return new Workbench(planner, planning);
   }
 
   private constructor(
@@ -152,21 +154,22 @@ export class Workbench implements Mode {
         this.files.element,
       ),
     );
-    planning.events = this.planningEvents();
+    const events = this.planningEvents();
+    planning.events = events;
     planner.onProgress = (phase: Phase, share: number) => this.progress.show(phase, share);
     addEventListener("hashchange", () => void this.restore());
     document.addEventListener("keydown", (event) => this.playback.key(event));
     this.showSettings();
-    void planning.run();
+    events.begun(planning.isRecorded);
   }
 
   private planningEvents(): NonNullable<Planning["events"]> {
     return {
-      begun: (recorded) => {
+      begun: (isRecorded) => {
         this.tell("planning");
         this.showCommand();
         this.address.keep();
-        if (this.judged !== undefined) this.judged.isShown = recorded !== undefined;
+        if (this.judged !== undefined) this.judged.isShown = isRecorded;
       },
       diagnosed: (diagnostics) => this.showDiagnostics(diagnostics),
       planned: (plan, isCurrent) => this.load(plan, isCurrent),
