@@ -1,6 +1,7 @@
 // The workbench in Chromium, as `leadscrew serve` gives it: five runs, each by a browser of its own that has cached nothing.
 //
-//   first view   from the address to the example planned, drawn and open to input: the page's own clock, from navigation on
+//   first view   from the address to the example planned, drawn and open to input: the page's own clock, from navigation on; in a
+//                browser that has come to rest, and in one that is itself still starting
 //   large        100 000 blocks read, planned and drawn: the longest task of the page's main thread, from Chromium's trace
 //   zoom         a million samples plotted: from the end of the drag, or the click, to the next picture (Event Timing), ms in
 //                steps of 8
@@ -80,8 +81,10 @@ async function pageOf(browser, address) {
   return page;
 }
 
-async function firstView(address) {
+/** `rest`: ms between the browser's start and the page's. */
+async function firstView(address, rest) {
   const browser = await openBrowser();
+  await new Promise((resume) => setTimeout(resume, rest));
   const page = await pageOf(browser, address);
   const ready = await page.evaluate(() => globalThis.readyAt);
   await browser.close();
@@ -195,8 +198,13 @@ try {
     for (let i = 0; i < runs; ++i) found.push(await measure());
     return found;
   };
-  told("lesson, first view", await repeat(() => firstView(`${server.address}index.html`)), "ms");
-  told("program, first view: planned and drawn", await repeat(() => firstView(`${server.address}program.html`)), "ms");
+  for (const [name, file] of [
+    ["lesson, first view", "index.html"],
+    ["program, first view: planned and drawn", "program.html"],
+  ]) {
+    told(name, await repeat(() => firstView(server.address + file, 1500)), "ms");
+    told(`${name}, while the browser starts`, await repeat(() => firstView(server.address + file, 0)), "ms");
+  }
   const larges = await repeat(() => large(server.address, folder));
   const of = (all, key) => all.map((each) => each[key]);
   told("100 000 blocks: read, planned and drawn", of(larges, "seconds"), "s", 1);

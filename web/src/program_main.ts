@@ -1,6 +1,8 @@
-// The program's page: the engine is opened first, and compiled while the page's own script comes.
+// The program's page: the engine is opened first, and plans while the page's own script comes.
 
 import { PlannerClient } from "./engine/planner_client";
+import { recordingOfPage } from "./engine/recording";
+import { Planning } from "./program/planning";
 import "uplot/dist/uPlot.min.css";
 import "./style/page.css";
 import "./style/panel.css";
@@ -8,10 +10,10 @@ import "./style/program.css";
 import { show } from "./ui/shell";
 
 void show(async () => {
-  const opening = PlannerClient.open();
-  const [{ Workbench }, { recordingOfPage }] = await Promise.all([
-    import("./program/workbench"),
-    import("./engine/recording"),
-  ]);
-  return await Workbench.open(await opening, recordingOfPage());
+  const script = import("./program/workbench");
+  const planner = await PlannerClient.open();
+  const planning = await Planning.open(planner, recordingOfPage());
+  void planning.run();
+  const { Workbench } = await script;
+  return new Workbench(planner, planning);
 });

@@ -23,8 +23,9 @@ function isApart(samples: Samples, i: number): boolean {
 }
 
 /** Does the sample stand where the one before does? */
-function isSame(samples: Samples, i: number): boolean {
-  return [0, 1, 2].every((axis) => place(samples, i, axis) === place(samples, i - 1, axis));
+function isSame({ tip }: Samples, i: number): boolean {
+  const [at, before] = [3 * i, 3 * i - 3];
+  return tip[at] === tip[before] && tip[at + 1] === tip[before + 1] && tip[at + 2] === tip[before + 2];
 }
 
 function lengthOf(values: Float32Array, i: number, axes: number): number {
@@ -40,42 +41,59 @@ function valueAt(samples: Samples, measure: Measure, i: number): number {
 }
 
 /** Every sample that moves, or every so many; always where rapids begin and end, and where blocks meet. */
-export function pathOf(samples: Samples, blocks: Blocks): PathData {
-  const every = Math.max(1, Math.ceil(samples.count / mostVertices));
-  const kept: number[] = [];
-  const [least, greatest] = [
-    [Infinity, Infinity, Infinity],
-    [-Infinity, -Infinity, -Infinity],
-  ];
-  for (let i = 0; i < samples.count; ++i) {
-    for (const axis of [0, 1, 2]) {
-      least[axis] = Math.min(least[axis] ?? 0, place(samples, i, axis));
-      greatest[axis] = Math.max(greatest[axis] ?? 0, place(samples, i, axis));
-    }
-    const isNew = i === 0 || i === samples.count - 1 || samples.block[i] !== samples.block[i + 1];
-    if (
-      isNew ||
-      isApart(samples, i) ||
-      (i + 1 < samples.count && isApart(samples, i + 1)) ||
-      (i % every === 0 && !isSame(samples, i))
-    )
-      kept.push(i);
+function keptOf(samples: Samples): Int32Array {
+  const { count, block } = samples;
+  const every = Math.max(1, Math.ceil(count / mostVertices));
+  const kept = new Int32Array(count);
+  let length = 0;
+  let isApartHere = false; // the first is kept in any case
+  for (let i = 0; i < count; ++i) {
+    const isApartNext = i + 1 < count && isApart(samples, i + 1);
+    const isBorder = i === 0 || i === count - 1 || block[i] !== block[i + 1];
+    if (isBorder || isApartHere || isApartNext || (i % every === 0 && !isSame(samples, i))) kept[length++] = i;
+    isApartHere = isApartNext;
   }
-  const places = new Float32Array(kept.length * 3);
+  return kept.slice(0, length);
+}
+
+/** The box around the tip's way, mm. */
+function extentsOf({ count, tip }: Samples): readonly [least: number[], greatest: number[]] {
+  const [least, greatest] = [
+    [0, 0, 0],
+    [0, 0, 0],
+  ];
+  for (let axis = 0; axis < 3; ++axis) {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = axis; i < 3 * count; i += 3) {
+      const value = tip[i] ?? 0;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    [least[axis], greatest[axis]] = [low, high];
+  }
+  return [least, greatest];
+}
+
+/** Of the samples that are kept. */
+export function pathOf(samples: Samples, blocks: Blocks): PathData {
+  const kept = keptOf(samples);
+  const [least, greatest] = extentsOf(samples);
+  const [places, jumps] = [new Float32Array(kept.length * 3), new Uint8Array(kept.length)];
   kept.forEach((sample, v) => {
-    for (const axis of [0, 1, 2]) places[v * 3 + axis] = place(samples, sample, axis);
+    for (let axis = 0; axis < 3; ++axis) places[v * 3 + axis] = place(samples, sample, axis);
+    jumps[v] = sample > 0 && isApart(samples, sample) ? 1 : 0;
   });
-  const rapid = Uint8Array.from(kept, (sample) => (isRapid(samples, blocks, sample) ? 1 : 0));
-  const apart = Uint8Array.from(kept, (sample) => (sample > 0 && isApart(samples, sample) ? 1 : 0));
-  const part = Uint8Array.from(kept, (sample) => blocks.part[samples.block[sample] ?? 0] ?? 0);
-  const of = (measure: Measure): Float32Array => Float32Array.from(kept, (sample) => valueAt(samples, measure, sample));
+  const rapid = new Uint8Array(kept.length).map((_, v) => (isRapid(samples, blocks, kept[v] ?? 0) ? 1 : 0));
+  const part = new Uint8Array(kept.length).map((_, v) => blocks.part[samples.block[kept[v] ?? 0] ?? 0] ?? 0);
+  const of = (measure: Measure): Float32Array =>
+    new Float32Array(kept.length).map((_, v) => valueAt(samples, measure, kept[v] ?? 0));
   const values = { speed: of("speed"), acceleration: of("acceleration"), jerk: of("jerk"), line: of("line") };
-  const hold = Uint8Array.from(kept, (sample) => samples.hold[sample] ?? 0);
+  const hold = new Uint8Array(kept.length).map((_, v) => samples.hold[kept[v] ?? 0] ?? 0);
   return {
     places,
-    samples: Int32Array.from(kept),
+    samples: kept,
     isRapid: rapid,
-    isApart: apart,
+    isApart: jumps,
     part,
     values,
     hold,
@@ -175,7 +193,7 @@ export interface ToolAt {
 }
 
 /** While the line is in motion, by the plan. */
-export function toolOfLine(plan: Plan, line: number): ToolAt {
+function toolOfLine(plan: Plan, line: number): ToolAt {
   const { samples } = plan;
   const i = sampleAt(plan, (timeOfLine(plan, line) ?? 0) + 1.5 * samples.step);
   const offset = [0, 1, 2].map((axis) => {
@@ -183,6 +201,16 @@ export function toolOfLine(plan: Plan, line: number): ToolAt {
     return k < 0 ? 0 : (samples.position[i * samples.axes.length + k] ?? 0) - place(samples, i, axis);
   });
   return { number: samples.tool[i] ?? 0, offset, block: samples.block[i] ?? 0 };
+}
+
+/** Tools of lines; that of the last line that was asked for is found once. */
+export class ToolsOfLines {
+  private last: { readonly plan: Plan; readonly line: number; readonly tool: ToolAt } | undefined;
+
+  at(plan: Plan, line: number): ToolAt {
+    if (this.last?.plan !== plan || this.last.line !== line) this.last = { plan, line, tool: toolOfLine(plan, line) };
+    return this.last.tool;
+  }
 }
 
 const nearPole = 5; // degrees

@@ -34,8 +34,15 @@ function originOf(recording: Recording | undefined): Origin | undefined {
 }
 
 export class Planning {
-  /** What they tell begins with the next task of the page's thread. */
-  events: PlanningEvents | undefined;
+  private events: PlanningEvents | undefined;
+  private listen: (events: PlanningEvents) => void = () => undefined;
+  /** Nothing is told before somebody listens; the planner works meanwhile. */
+  private readonly isHeard = new Promise<void>((resolve) => {
+    this.listen = (events) => {
+      this.events = events;
+      resolve();
+    };
+  });
   private runs = 0;
   private typing = 0;
 
@@ -52,6 +59,12 @@ export class Planning {
     public machine: Limits,
     readonly recording: Recording | undefined,
   ) {}
+
+  /** Who hears of runs from now on, and of that which is under way. */
+  tell(events: PlanningEvents): void {
+    this.listen(events);
+    events.begun(this.isRecorded);
+  }
 
   /** Of the run that is in force. */
   get number(): number {
@@ -168,6 +181,7 @@ export class Planning {
     try {
       await (recorded === undefined ? this.plan(run) : this.showRecorded(recorded, run));
     } catch (failure) {
+      await this.isHeard;
       if (run === this.runs) this.events?.ended("failed", `The engine failed: ${String(failure)}`);
     }
   }
@@ -179,6 +193,7 @@ export class Planning {
     const planning = unlessCancelled(this.planner.plan(task, mostSamples));
     planning.catch(() => undefined); // a failure counts where the plan is waited for
     const checked = await checking;
+    await this.isHeard;
     if (checked === undefined || run !== this.runs) return;
     this.events?.diagnosed(checked.diagnostics);
     if (!checked.isSound) {
@@ -197,6 +212,7 @@ export class Planning {
   /** Nothing is planned: tools and surfaces alone are the engine's. */
   private async showRecorded(recording: Recording, run: number): Promise<void> {
     const equipment = await unlessCancelled(this.planner.equipment(this.task));
+    await this.isHeard;
     if (equipment === undefined || run !== this.runs) return;
     this.events?.diagnosed(diagnosticsOf(recording.result));
     await this.events?.planned(planOf(recording, equipment), () => run === this.runs);

@@ -3,8 +3,7 @@
 import type { PlannerClient } from "../engine/planner_client";
 import type { LiveMachine, LiveSample } from "../engine/live_types";
 import type { Diagnostic, FeedChange, Gouge, Limits, Phase, Plan } from "../engine/motion_types";
-import { sampleAt, takeJudged, timeOf, timeOfLine, toolOfLine, type ToolAt } from "../engine/path";
-import type { Recording } from "../engine/recording";
+import { sampleAt, takeJudged, timeOf, timeOfLine, ToolsOfLines } from "../engine/path";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
 import type { Mode } from "../ui/shell";
@@ -24,7 +23,7 @@ import { Playback } from "./playback";
 import { Plots } from "./plots";
 import { PathPanel } from "./path_panel";
 import { ProgramPanel } from "./program_panel";
-import { Planning, type End } from "./planning";
+import type { End, Planning, PlanningEvents } from "./planning";
 import { Progress } from "./progress";
 import { machineFile, programOf, type Settings } from "./settings";
 
@@ -33,7 +32,7 @@ export class Workbench implements Mode {
   private plan: Plan | undefined;
   private sample = 0;
   private line = 0;
-  private followed: { readonly plan: Plan; readonly line: number; readonly tool: ToolAt } | undefined;
+  private readonly tools = new ToolsOfLines();
   private isNewText = true;
   private readonly editor: Editor;
   private readonly program: ProgramPanel;
@@ -86,14 +85,8 @@ export class Workbench implements Mode {
     times: this.plots,
   });
 
-  /** With what the command has recorded, where it has. */
-  static async open(planner: PlannerClient, recording?: Recording): Promise<Workbench> {
-    const planning = await Planning.open(planner, recording);
-    void planning.run(); // the engine works while the page is made
-    return new Workbench(planner, planning);
-  }
-
-  private constructor(
+  /** Its planning is under way. */
+  constructor(
     planner: PlannerClient,
     private readonly planning: Planning,
   ) {
@@ -154,16 +147,14 @@ export class Workbench implements Mode {
         this.files.element,
       ),
     );
-    const events = this.planningEvents();
-    planning.events = events;
     planner.onProgress = (phase: Phase, share: number) => this.progress.show(phase, share);
     addEventListener("hashchange", () => void this.restore());
     document.addEventListener("keydown", (event) => this.playback.key(event));
     this.showSettings();
-    events.begun(planning.isRecorded);
+    planning.tell(this.planningEvents());
   }
 
-  private planningEvents(): NonNullable<Planning["events"]> {
+  private planningEvents(): PlanningEvents {
     return {
       begun: (isRecorded) => {
         this.tell("planning");
@@ -232,19 +223,13 @@ export class Workbench implements Mode {
   private follow(machine: LiveMachine, sample: LiveSample): void {
     this.playback.stop();
     const { plan } = this;
-    const tool = plan === undefined ? undefined : this.toolOf(plan, sample.line);
+    const tool = plan === undefined ? undefined : this.tools.at(plan, sample.line);
     if (plan !== undefined && tool !== undefined) this.modes.stand(plan, tool.block);
     this.figures.follow(machine, sample);
     const at = (letter: string): number => sample.actual[machine.axes.findIndex(({ name }) => name === letter)] ?? 0;
     const tip = ["X", "Y", "Z"].map((letter, i) => at(letter) - (tool?.offset[i] ?? 0));
     this.path.view.standAt(sample.tip ?? tip, sample.direction ?? [0, 0, 1], tool?.number ?? 0);
     this.markLine(sample.line);
-  }
-
-  private toolOf(plan: Plan, line: number): ToolAt {
-    if (this.followed?.plan !== plan || this.followed.line !== line)
-      this.followed = { plan, line, tool: toolOfLine(plan, line) };
-    return this.followed.tool;
   }
 
   private change(change: Partial<Settings>): void {
