@@ -245,6 +245,7 @@ RC_GTEST_PROP(Threads, ComeToRestWhereTheyAreAborted, ()) {
     words.push_back(program.cycle());
   }
   RC_ASSERT(words.back().state == base::MotionState::rest);
+  RC_ASSERT(std::abs(program.summary().length_mm - words.back().path_length) <= 1e-6);
   words.insert(words.begin(), 3, words.front());
   words.insert(words.end(), 3, words.back());
   const double t = made.machine.period.seconds();

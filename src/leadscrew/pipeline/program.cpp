@@ -175,6 +175,7 @@ void Program::account(const base::Word& word) {
   summary_.words = base::count(word.tick);
   summary_.time_s = base::seconds(word.tick, machine_.period);
   summary_.threads = interpolator_.threads();
+  if (interpolator_.has_left_step()) summary_.length_mm = word.path_length;  // not the line to its end
 }
 
 }  // namespace leadscrew::pipeline
