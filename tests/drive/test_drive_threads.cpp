@@ -18,7 +18,8 @@ TEST(DriveThreads, AreThoseOfRunBitForBit) {
   const Folder folder;
   folder.write("part.ngc", threads);
   folder.write("lathe.toml", machine_with_spindle());
-  drive_without_a_tail(folder, {"--machine", "lathe.toml", "--events", "driven.csv", "--trace", "driven-words.csv"});
+  const Outcome driven = drive_without_a_tail(
+      folder, {"--machine", "lathe.toml", "--events", "driven.csv", "--trace", "driven-words.csv"});
   const Outcome run = leadscrew(folder, {"run", "part.ngc", "--machine", "lathe.toml", "--events", "run.csv", "--trace",
                                          "run-words.csv", "--json"});
   EXPECT_EQ(run.status, 0) << run.errors;
@@ -26,6 +27,7 @@ TEST(DriveThreads, AreThoseOfRunBitForBit) {
   EXPECT_GT(figures["lines"], 3);
   EXPECT_GT(figures["run_in_mm"], 0);
   EXPECT_LT(figures["run_in_mm"], 10);
+  EXPECT_EQ(driven.json()["threads"], figures);
   EXPECT_EQ(folder.read("driven.csv"), folder.read("run.csv"));
   EXPECT_EQ(folder.read("driven-words.csv"), folder.read("run-words.csv"));
   EXPECT_EQ(leadscrew(folder, {"verify", "run-words.csv", "part.ngc", "--machine", "lathe.toml"}).status, 0);

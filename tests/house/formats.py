@@ -450,6 +450,7 @@ def check_drives(schemas):
     run("run", "half.ngc", "--trace", "half.csv", "--quiet")
     json_of(schemas, "verify", "verify", "half.csv", "calls.ngc", status=1)
     json_of(schemas, "drive", "drive", "fast.ngc", "--sink", "sink.csv")
+    json_of(schemas, "drive", "drive", "thread.ngc", "--machine", "spindle.toml")
     check_header("sink.csv", columns("trace", "XYZ"))
 
 

@@ -26,9 +26,23 @@ base::Word Controller::next() noexcept {
   // Before the position, so that who sees the last chunk begun sees no older rest.
   stands_.store(stands, std::memory_order_relaxed);
   in_step_.store(interpolator_.is_in_step(), std::memory_order_relaxed);
+  tell_threads();
   position_.store(current_, std::memory_order_release);
   left_.store(event_link_, std::memory_order_release);
   return word;
+}
+
+void Controller::tell_threads() noexcept {
+  const ThreadFigures& threads = interpolator_.threads();
+  thread_lines_.store(threads.lines, std::memory_order_relaxed);
+  run_in_.store(threads.run_in, std::memory_order_relaxed);
+  run_in_line_.store(threads.run_in_line, std::memory_order_relaxed);
+}
+
+ThreadFigures Controller::threads() const {
+  return {.lines = thread_lines_.load(std::memory_order_relaxed),
+          .run_in = run_in_.load(std::memory_order_relaxed),
+          .run_in_line = run_in_line_.load(std::memory_order_relaxed)};
 }
 
 const planner::PlacedEvent* Controller::next_event() noexcept {

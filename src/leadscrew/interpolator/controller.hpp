@@ -68,6 +68,8 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   void follow(const machine::Spindle& spindle) { interpolator_.follow(spindle); }
   /// Is motion on a line in step with the spindle?
   bool is_in_step() const { return in_step_.load(std::memory_order_relaxed); }
+  /// Of the lines in step so far; while there are words, each figure for itself.
+  ThreadFigures threads() const;
 
   /// What became of a chunk.
   enum class Offer : std::uint8_t {
@@ -113,6 +115,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
 
   Link& link(std::int64_t number) const { return links_[static_cast<std::size_t>(number) % capacity_]; }
   bool go_on() noexcept;
+  void tell_threads() noexcept;
   std::size_t events_passed(std::int64_t number) const noexcept;
   bool append(Link& last, bool begins_at_rest);
 
@@ -133,6 +136,10 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   std::atomic<std::int64_t> left_{0};                          ///< event_link_, then: chunks before it are done with
   std::atomic<std::int64_t> starvations_{0};
   std::atomic<bool> stands_{true}, in_step_{false};
+  std::atomic<std::int64_t> thread_lines_{0};
+  std::atomic<double> run_in_{0};
+  std::atomic<base::Line> run_in_line_{base::Line{}};
+  static_assert(std::atomic<double>::is_always_lock_free && std::atomic<base::Line>::is_always_lock_free);
 };
 
 }  // namespace leadscrew::interpolator

@@ -61,6 +61,7 @@ Counters Runner::counters() const {
   counters.late_chunks = late_chunks_.load(std::memory_order_relaxed);
   counters.starvations = controller_.starvations();
   counters.in_step = controller_.is_in_step();
+  counters.threads = controller_.threads();
   counters.seconds_ahead = seconds_ahead_.load(std::memory_order_relaxed);
   counters.override_factor = asked_.load(std::memory_order_relaxed);
   counters.allowed_overrides = allowed_overrides_.load(std::memory_order_relaxed);

@@ -69,6 +69,7 @@ struct Counters {
   std::int64_t starvations = 0;                   ///< stop tails that ran because nothing followed
   double seconds_ahead = 0;                       ///< planned, not begun
   bool in_step = false;                           ///< is motion on a line in step with a simulated spindle?
+  interpolator::ThreadFigures threads{};          ///< of such lines so far; while there are words, each for itself
   double override_factor = 1;                     ///< asked for; 0: held
   planner::AllowedOverrides allowed_overrides{};  ///< by the program, where motion is
   bool ended = false;                             ///< the last word has been taken, or nobody wants it

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <leadscrew/results/diagnostic_text.hpp>
 #include <leadscrew/results/drive.hpp>
+#include <leadscrew/results/program_json.hpp>
 #include <leadscrew/results/program_text.hpp>
 #include <leadscrew/results/simulation.hpp>
 
@@ -89,6 +90,7 @@ Json json_of_drive(const std::string& program, const machine::Machine& machine, 
                             {"latency_ns", json_of(figures.latencies)},
                             {"diagnostics", json_of_diagnostics(diagnostics)}});
   put_file_and_visit(json, figures.last.line);
+  if (machine.threads_follow()) add_threads(json, counters.threads);
   if (!figures.has_drives) return json;
   json["axes"] = json_of_axes(figures.axes);
   json["feed"] = Json::object(

@@ -3,6 +3,7 @@
 
 #include <initializer_list>
 #include <leadscrew/base/diagnostic.hpp>
+#include <leadscrew/interpolator/thread_figures.hpp>
 #include <leadscrew/json/json.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/results/figures.hpp>
@@ -29,6 +30,8 @@ Json json_of_diagnostics(const Diagnostics& diagnostics);
 
 /// Adds to an object that has the number of a line what else identifies its block: `file` and `visit`, where they are not 0.
 void put_file_and_visit(Json& json, base::Line line);
+/// `threads`: of lines in step with the machine's simulated spindle.
+void add_threads(Json& json, const interpolator::ThreadFigures& threads);
 
 /// `tip`, of the tool's tip and its direction, where tool centre point control was.
 void add_tip(Json& json, const referee::Verdict& verdict);
