@@ -42,10 +42,18 @@ machine::Machine fast_mill() {
   return machine;
 }
 
+/// It asks for racing lines: windows of their pieces are planned with more knots.
+machine::Machine mill_by_least_time() {
+  machine::Machine machine = machine::mill3();
+  machine.smoothing = machine::Smoothing::least_time;
+  return machine;
+}
+
 Path path_of(const std::string& text, const machine::Machine& machine = machine::mill3()) {
   const machine::ToolTable tools;
   gcode::Reader reader(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) {});
-  toolpath::Builder builder = machine.rotary_chain ? toolpath::Builder(machine) : toolpath::Builder();
+  const bool asks = machine.rotary_chain || machine.smoothing == machine::Smoothing::least_time;
+  toolpath::Builder builder = asks ? toolpath::Builder(machine) : toolpath::Builder();
   Path path;
   const auto take = [&] {
     while (std::optional<toolpath::Element> element = builder.pop()) path.push_back(std::move(*element));
@@ -191,6 +199,10 @@ const bool added = [] {
     add("random lines" + on, machine, [] { return path_of(wandering(40, 0.2, 4, 3)); });
     add("finishing" + on, machine, [] { return path_of(finishing()); });
   }
+  const machine::Machine by_least_time = mill_by_least_time();
+  add("corners, by least time", by_least_time, [=] { return path_of(squares(), by_least_time); });
+  add("engraving, by least time", by_least_time,
+      [=] { return path_of(wandering(200, 0.05, 0.5, 0.6), by_least_time); });
   const machine::Machine trunnion = testing_support::trunnion();
   const auto blade = [](const machine::Machine& on) {
     return path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), on);
