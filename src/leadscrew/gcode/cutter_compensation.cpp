@@ -69,16 +69,16 @@ void CutterCompensation::set(const Block& block) {
 bool CutterCompensation::begin(const Block& block, const Cutter& cutter) {
   const double radius = cutter.radius;
   const std::uint32_t column = block.column_of(Group::cutter_radius);
+  if (is_secondary(modal_.plane)) {
+    return error("cutter-compensation", column, "cutter compensation in a plane of U, V and W",
+                 "give G17, G18 or G19 before");
+  }
   const base::Axis first = first_axis(modal_.plane), second = second_axis(modal_.plane);
   const double scale = frame_.circle_scale(first, second);
   if (frame_.is_tilted() || frame_.tip_control() || frame_.takes_vectors() || scale == 0) {
     return error("cutter-compensation", column,
                  "cutter compensation where the program's plane is none of the machine's",
                  "no tilted plane, tool centre point control or scales that differ");
-  }
-  if (is_secondary(modal_.plane)) {
-    return error("cutter-compensation", column, "cutter compensation in a plane of U, V and W",
-                 "give G17, G18 or G19 before");
   }
   if (modal_.plane == Plane::YZ && options_.dialect == Dialect::linuxcnc) {
     return error("cutter-compensation", column, "cutter compensation in plane YZ",

@@ -96,7 +96,7 @@ class Frame {
   bool is_separate(base::Axis axis) const;
   /// What one unit of the program is along the axis where it goes by itself: its scale, or 1.
   double scale(base::Axis axis) const;
-  /// How lengths in a plane are scaled where circles remain circles of the same plane; 0 where they do not. Negative
+  /// How lengths in a plane of two of X, Y and Z are scaled where circles remain circles of the same plane; 0 where they do not. Negative
   /// where they turn the other way.
   double circle_scale(base::Axis first, base::Axis second) const;
 
