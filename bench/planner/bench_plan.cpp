@@ -42,7 +42,7 @@ machine::Machine fast_mill() {
   return machine;
 }
 
-/// It asks for racing lines: windows of their pieces are planned with more knots.
+/// Its lines and corners become paths of least time within the tolerance.
 machine::Machine mill_by_least_time() {
   machine::Machine machine = machine::mill3();
   machine.smoothing = machine::Smoothing::least_time;

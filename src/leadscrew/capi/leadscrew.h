@@ -288,9 +288,9 @@ LEADSCREW_API int leadscrew_trajectory_at(const leadscrew_trajectory* trajectory
 /** Where the tool is at `time`, by position of the axes and the tool that is in force. */
 LEADSCREW_API int leadscrew_trajectory_pose(const leadscrew_trajectory* trajectory, double time, leadscrew_pose* pose,
                                             leadscrew_error* error);
-/** Both at times that rise, as the two calls above tell them, much faster: states[0 … count), of `state_size` bytes each,
+/** Both at many times that rise, s, bit for bit as the two calls above tell them, and much faster: states[0 … count), of `state_size` bytes each,
  * sizeof(leadscrew_state), and poses[0 … count), of `pose_size`, sizeof(leadscrew_pose), which may be NULL. Times that do not rise are
- * answered too, as slowly as one by one. */
+ * answered too, as slowly as one by one; where one is no number, nothing is (LEADSCREW_MISUSE). */
 LEADSCREW_API int leadscrew_trajectory_sample(const leadscrew_trajectory* trajectory, const double* times, size_t count,
                                               leadscrew_state* states, size_t state_size, leadscrew_pose* poses,
                                               size_t pose_size, leadscrew_error* error);
