@@ -42,10 +42,10 @@ const Victim generated = {
     "o200 endrepeat\nG0 Z4\nG38.3 Z-7\nG1 X[#5063*2] Y0\nG61\nG1 Z0\nM2\n",
     "1ms", 1e-3, 30};
 
-/// Threads that follow a spindle, and the rapids between them.
+/// Threads and taps that follow a spindle, and the rapids between them.
 const Victim threads = {
     "G21 G90 G18 F3000\nM3 S400\nG0 X5 Z2\nG33 Z-20 K2\nG33 X7 Z-30 K1\nG0 X9\nZ2\nX5\nG76 P2 Z-15 I-1 J0.5 K0.9 R1 "
-    "Q29.5 E2 L3\nG1 X0 Z0\nM2\n",
+    "Q29.5 E2 L3\nG33.1 Z-12 K1.5\nG17 G84 X7 Z-10 R2 P0.1 F400\nG80\nG1 X0 Z0\nM2\n",
     "1ms", 1e-3, 30, machine_with_spindle()};
 
 /// Drives a program, killed again and again, until it has come to its end; returns how often it was killed.

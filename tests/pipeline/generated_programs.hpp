@@ -143,9 +143,12 @@ class GeneratedProgram {
     const double lead = between(0.3, 2), turns = std::min(slowest * 0.6 / lead, 40.0) * between(0.3, 1);
     add("G18 S%.2f\nG0 X6 Z2\n", 60 * turns);
     for (int k = any(1, 4); k > 0; --k) {
-      switch (any(0, 3)) {
+      switch (any(0, 4)) {
         case 0:
           add("G33 Z%.4f K%.4f\n", -between(3, 15), lead);
+          break;
+        case 3:
+          tap(lead, turns);
           break;
         case 1:
           add("G33 Z-2 K%.4f\nX%.4f Z%.4f K%.4f\n", lead, between(6, 8), -between(3, 15), lead / 2);
@@ -157,6 +160,22 @@ class GeneratedProgram {
       add("G0 X9\nZ2\nX6\n");
     }
     add("G1 X0 Z0\nM2\n");
+  }
+
+  /// Deep enough for the spindle to stand there, in revolutions per s at most.
+  void tap(double lead, double turns) {
+    if (machine.spindle) {
+      const machine::AxisLimits& z = *machine.axes[2];
+      const double acceleration = machine::tap_acceleration(*machine.spindle, {z.velocity, z.acceleration, z.jerk},
+                                                            lead, machine.tolerance, machine.period);
+      turns = std::min(turns, std::sqrt(2 * acceleration * between(1, 8) / lead));
+    }
+    const double depth = between(11, 16);
+    if (any(0, 2) == 0) {
+      add("S%.3f\nG33.1 Z%.4f K%.4f\n", 60 * turns, 2 - depth, lead);
+    } else {
+      add("S%.3f M3\nG17 G84 X6 Z%.4f R2 P0.02 F%.4f\nG80 G18\n", 60 * turns, 2 - depth, 60 * turns * lead);
+    }
   }
 
   /// Around a ball and down to a table, and on from where they are.

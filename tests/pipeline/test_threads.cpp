@@ -7,23 +7,20 @@
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/gcode/reader.hpp>
-#include <leadscrew/interpolator/spindle_motion.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <string>
 #include <vector>
 
-#include "random_programs.hpp"
+#include "spindle_machines.hpp"
 #include "worst_ratios.hpp"
 
 namespace test_threads {
 
 using namespace leadscrew;
+using testing_support::between;
+using testing_support::SpindleOfEvents;
 using Kind = base::Event::Kind;
-
-double between(double least, double most) {
-  return least + (most - least) * *rc::gen::inRange(0, 10'001) / 10'000;
-}
 
 /// A machine and a program of lines in step, each with a lead and a speed of the spindle of its own.
 struct Case {
@@ -32,24 +29,8 @@ struct Case {
 
   static Case any() {
     Case made;
-    made.machine.period = {*rc::gen::element<std::int64_t>(100'000, 500'000, 1'000'000, 2'000'000)};
-    machine::Derivatives least{1e9, 1e12, 1e12};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const double velocity = between(30, 500), acceleration = velocity * between(2, 20);
-      made.machine.axes[i] = machine::AxisLimits{.travel_min = -10'000,
-                                                 .travel_max = 10'000,
-                                                 .velocity = velocity,
-                                                 .acceleration = acceleration,
-                                                 .jerk = acceleration * between(10, 100),
-                                                 .blu = 0.001};
-      least = {std::min(least.velocity, velocity), std::min(least.acceleration, acceleration),
-               std::min(least.jerk, made.machine.axes[i]->jerk)};
-    }
-    made.machine.spindle = machine::Spindle{.acceleration = between(100, 20'000),
-                                            .wander = 0.05,
-                                            .wander_period = between(2, 20),
-                                            .seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000))};
-    made.machine.tolerance = *rc::gen::element(0.002, 0.01, 0.05);
+    made.machine = testing_support::machine_with_spindle();
+    const machine::Derivatives least = testing_support::least_limits(made.machine);
     char block[160];
     double before = 0;
     made.text = "G21 G90 G94 G17 F600\n";
@@ -64,34 +45,9 @@ struct Case {
       made.text += block;
     }
     made.text += "M2\n";
-    RC_LOG() << made.text << testing_support::limits_of(made.machine) << "spindle "
-             << made.machine.spindle->acceleration << ' ' << made.machine.spindle->wander_period << ' '
-             << made.machine.spindle->seed << '\n';
+    RC_LOG() << made.text << testing_support::limits_with_spindle(made.machine);
     return made;
   }
-};
-
-/// The spindle as it has turned up to each word, from the events alone.
-class Turns {
- public:
-  explicit Turns(const machine::Machine& machine) : spindle_(*machine.spindle), period_(machine.period) {}
-
-  double at(std::int64_t tick) const { return sign_ * spindle_.revolutions(static_cast<double>(tick) * seconds()); }
-  void obey(const base::PassedEvent& event) {
-    if (event.kind == Kind::spindle_clockwise || event.kind == Kind::spindle_counterclockwise)
-      sign_ = event.kind == Kind::spindle_clockwise ? 1 : -1;
-    const bool turns = event.kind == Kind::spindle_speed || event.kind == Kind::spindle_clockwise ||
-                       event.kind == Kind::spindle_counterclockwise;
-    const double t = static_cast<double>(base::count(event.tick)) * seconds();
-    if (turns) spindle_.turn(sign_ * event.value, t);
-    if (event.kind == Kind::program_end) spindle_.turn(0, t);
-  }
-  double seconds() const { return period_.seconds(); }
-
- private:
-  interpolator::SpindleMotion spindle_;
-  base::Period period_;
-  double sign_ = 0;
 };
 
 /// Of one line, from the word that passed its event on.
@@ -124,7 +80,7 @@ class Watcher {
     if (!is_on_) return;
     const std::int64_t tick = base::count(word.tick);
     const double turned = turns_.at(tick);
-    if (!has_index_ && tick > first_ && std::floor(turned) > std::floor(turns_.at(tick - 1))) {
+    if (!has_index_ && tick > first_ && turns_.is_at_speed(tick - 1) && turns_.passes_index(tick - 1)) {
       has_index_ = true;
       index_ = std::floor(turned);
     }
@@ -135,7 +91,7 @@ class Watcher {
   }
 
  private:
-  Turns turns_;
+  SpindleOfEvents turns_;
   bool is_on_ = false, has_index_ = false;
   double begin_ = 0, index_ = 0;
   std::int64_t first_ = 0;
@@ -203,7 +159,7 @@ TEST(Threads, OfAPassGoOnInPhaseAndPassesAreCongruent) {
   const std::string text = "G21 G90 G18 F3000\nM3 S600\nG0 X5.5 Z2\nG76 P2 Z-40 I-2 J0.3 K1.2 R1 Q0 H1 E4 L3\nM2\n";
   const machine::ToolTable tools;
   pipeline::Program program(gcode::text_source(text), machine, tools, {}, [](const base::Diagnostic&) { FAIL(); });
-  Turns turns(machine);
+  SpindleOfEvents turns(machine);
   std::vector<double> phases;  // of Z against the spindle, at Z = -20 of each pass
   bool is_on = false;
   double before = 0;

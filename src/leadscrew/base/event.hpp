@@ -57,7 +57,7 @@ struct Event {
     user_function,
     /// G33, G76; value: mm of path in a revolution of the spindle, from its index on where motion rests for it (`waits`) and was
     /// not in step; 0: motion is no longer in step. Degrees where only rotary axes move. Of G84 and G74 (output: in_tapping_cycle) it is F / S,
-    /// and motion waits for no index.
+    /// and motion waits for no index but where the machine simulates its spindle.
     spindle_in_step,
     rigid_tap,  ///< G33.1; likewise, in and, behind the spindle's reversal, out again
     /// G43 and the like; output: 0, 1 or 2 of X, Y or Z; value: offset of the tool along it, mm, of the block that motion
@@ -97,6 +97,11 @@ constexpr bool is_pause(Event::Kind kind) {
 /// Does a program ask for the value of an input?
 constexpr bool is_input(Event::Kind kind) {
   return kind == Event::Kind::digital_input || kind == Event::Kind::analog_input;
+}
+
+/// Does motion come in step with the spindle by it (value > 0), or out of it?
+constexpr bool is_in_step(Event::Kind kind) {
+  return kind == Event::Kind::spindle_in_step || kind == Event::Kind::rigid_tap;
 }
 
 /// Does a block ask for it? Not where it only says how motion was programmed.

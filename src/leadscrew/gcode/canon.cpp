@@ -316,7 +316,7 @@ void CanonWriter::write_function(const base::Event& event, std::string& text) {
 bool CanonWriter::write_in_step(const Move& move, const Frame& frame, int system, std::string& text) {
   const base::Event::Kind kind = move.event.kind;
   const bool is_event = move.kind == Move::Kind::event;
-  if (is_event && (kind == base::Event::Kind::spindle_in_step || kind == base::Event::Kind::rigid_tap)) {
+  if (is_event && base::is_in_step(kind)) {
     if (move.event.output == base::in_tapping_cycle) return true;  // no call there
     printed_.in_step = move.event.value > 0;
     printed_.tap = kind == base::Event::Kind::rigid_tap ? Tap::in : Tap::no;

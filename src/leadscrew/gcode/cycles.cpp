@@ -224,9 +224,12 @@ void CannedCycles::set_cycle_feed(const Block& block) {
   motion_.feed_of(block, true, block.has('F'), cycle_feed_);
 }
 
-void CannedCycles::begin(const Block& block, const DrillCycle::Plan& plan) {
+void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
+  DrillCycle::Plan plan = whole;
+  plan.follows = machine_.threads_follow() && (plan.code == Code::G74 || plan.code == Code::G84) && tap_lead();
   const std::size_t drill = base::index(plan.drill);
   cycle_ = DrillCycle(plan);
+  if (!can_tap(block, plan)) return;
   at_ = plan.start;
   travel_.fails_outside(block);
   const double top = std::max(plan.clear_level, plan.start[drill]);
@@ -281,58 +284,6 @@ void CannedCycles::drill_pattern(const Block& block) {
   plan_pattern(block, plan);
   set_cycle_feed(block);
   if (plan.repeats > 0) begin(block, plan);
-}
-
-// Of a step that is neither a move nor a dwell. False where it asks for nothing.
-bool CannedCycles::prepare_event(Move& move, DrillCycle::Step::Kind kind) const {
-  using Event = base::Event::Kind;
-  using Kind = DrillCycle::Step::Kind;
-  switch (kind) {
-    case Kind::pause:
-      outbox_.prepare_event(move, Event::pause);
-      return true;
-    case Kind::spindle_orient:
-      outbox_.prepare_event(move, Event::spindle_orientation);
-      return true;
-    case Kind::overrides_off:
-      outbox_.prepare_event(move, Event::overrides_off);
-      return true;
-    case Kind::overrides_on:
-      if (modal_.feed_override && modal_.speed_override) {
-        outbox_.prepare_event(move, Event::overrides_on);
-        return true;
-      }
-      if (!modal_.feed_override && !modal_.speed_override) return false;
-      outbox_.prepare_event(move, modal_.feed_override ? Event::feed_override : Event::spindle_override, 1);
-      return true;
-    case Kind::in_step:
-    case Kind::out_of_step:
-      return prepare_step_event(move, kind == Kind::in_step);
-    default:
-      outbox_.prepare_event(move, spindle_event(kind), kind == Kind::spindle_stop ? 0 : modal_.spindle_speed);
-      return true;
-  }
-}
-
-// A tap goes in step with the spindle: it waits for nothing, as the spindle's events in it wait where the machine asks for it.
-bool CannedCycles::prepare_step_event(Move& move, bool in_step) const {
-  const bool has_lead = modal_.spindle_speed > 0 && cycle_feed_.mode == Feed::Mode::units_per_second;
-  if (!has_lead) return false;
-  const double lead = cycle_feed_.value * seconds_per_minute / modal_.spindle_speed;
-  outbox_.prepare_event(move, base::Event::Kind::spindle_in_step, in_step ? lead : 0, base::in_tapping_cycle);
-  move.event.waits = false;
-  return true;
-}
-
-base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const {
-  using Event = base::Event::Kind;
-  using Kind = DrillCycle::Step::Kind;
-  const Code code = cycle_.plan().code;
-  const bool standing = modal_.spindle == Code::M5;
-  const bool clockwise = standing ? code != Code::G74 : modal_.spindle == Code::M3;
-  if (kind == Kind::spindle_stop) return Event::spindle_stop;
-  if (kind == Kind::spindle_start && standing) return Event::spindle_stop;
-  return clockwise == (kind == Kind::spindle_start) ? Event::spindle_clockwise : Event::spindle_counterclockwise;
 }
 
 // In a tilted plane the cycle begins where rounding leaves the program's coordinates.

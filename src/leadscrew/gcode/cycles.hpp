@@ -3,13 +3,14 @@
 
 #include <leadscrew/gcode/drill_cycle.hpp>
 #include <leadscrew/gcode/motion.hpp>
+#include <leadscrew/gcode/spindle_pace.hpp>
 
 namespace leadscrew::gcode {
 
 class CannedCycles : Part {
  public:
   CannedCycles(const Context& context, Motion& motion, Travel& travel, Outbox& outbox)
-      : Part(context), motion_(motion), travel_(travel), outbox_(outbox) {}
+      : Part(context), motion_(motion), travel_(travel), outbox_(outbox), pace_(context) {}
 
   /// Any of the cycles.
   void drill(const Block& block);
@@ -41,6 +42,8 @@ class CannedCycles : Part {
   void begin(const Block& block, const DrillCycle::Plan& plan);
   bool prepare_event(Move& move, DrillCycle::Step::Kind kind) const;
   bool prepare_step_event(Move& move, bool in_step) const;
+  std::optional<double> tap_lead() const;
+  bool can_tap(const Block& block, const DrillCycle::Plan& plan);
   base::Event::Kind spindle_event(DrillCycle::Step::Kind kind) const;
 
   // What holds for the canned cycles since the last other motion: numbers as they were written, which are read in the
@@ -54,6 +57,7 @@ class CannedCycles : Part {
   Motion& motion_;
   Travel& travel_;
   Outbox& outbox_;
+  SpindlePace pace_;
   std::optional<Series> series_;
   DrillCycle cycle_;
   // In a tilted plane the cycle is told in the program's coordinates, else in the machine's.

@@ -15,6 +15,12 @@ constexpr DrillAction of_g84[] = {DrillAction::no_overrides, DrillAction::in_ste
                                   DrillAction::stop,         DrillAction::reverse,         DrillAction::dwell,
                                   DrillAction::out,          DrillAction::out_of_step,     DrillAction::stop,
                                   DrillAction::start,        DrillAction::overrides_again, DrillAction::clear};
+// Beside a spindle that stands at both ends: it does not turn back while the tool dwells.
+constexpr DrillAction of_g84_followed[] = {DrillAction::no_overrides, DrillAction::turn,  DrillAction::in_step,
+                                           DrillAction::down,         DrillAction::stop,  DrillAction::dwell,
+                                           DrillAction::reverse,      DrillAction::out,   DrillAction::out_of_step,
+                                           DrillAction::stop,         DrillAction::start, DrillAction::overrides_again,
+                                           DrillAction::clear};
 constexpr DrillAction of_g76_bore[] = {DrillAction::down,  DrillAction::dwell, DrillAction::stop, DrillAction::orient,
                                        DrillAction::aside, DrillAction::clear, DrillAction::back, DrillAction::start};
 constexpr DrillAction of_g85[] = {DrillAction::down, DrillAction::out, DrillAction::clear};
@@ -29,14 +35,14 @@ constexpr DrillAction of_g88[] = {DrillAction::down,  DrillAction::dwell, DrillA
 constexpr DrillAction of_g89[] = {DrillAction::down, DrillAction::dwell, DrillAction::out, DrillAction::clear};
 constexpr DrillAction of_drilling[] = {DrillAction::down, DrillAction::dwell, DrillAction::clear};
 
-std::span<const DrillAction> actions_of(Code code) {
-  switch (code) {
+std::span<const DrillAction> actions_of(const DrillCycle::Plan& plan) {
+  switch (plan.code) {
     case Code::G73:
     case Code::G83:
       return of_g83;
     case Code::G74:
     case Code::G84:
-      return of_g84;
+      return plan.follows ? std::span<const DrillAction>(of_g84_followed) : of_g84;
     case Code::G76_bore:
       return of_g76_bore;
     case Code::G85:
@@ -100,7 +106,7 @@ DrillCycle::Step DrillCycle::next() {
       return at_level(Kind::rapid, level);
     case Phase::to_r_level:
       phase_ = Phase::in_hole;
-      actions_ = actions_of(plan_.code);
+      actions_ = actions_of(plan_);
       peck_level_ = plan_.r_level;
       pecks_ = 0;
       return at_level(Kind::rapid, plan_.r_level);
@@ -167,6 +173,8 @@ DrillCycle::Step DrillCycle::in_hole() {
         return {Kind::spindle_reverse, position_};
       case Action::start:
         return {Kind::spindle_start, position_};
+      case Action::turn:
+        return {Kind::spindle_turn, position_};
       case Action::no_overrides:
         return {Kind::overrides_off, position_};
       case Action::overrides_again:

@@ -43,6 +43,7 @@ class DrillCycle {
     int repeats = 1;             ///< ≥ 1
     bool spindle_turned = true;  ///< before the cycle; a tapping cycle then need not turn it
     bool dwells = false;         ///< P was given
+    bool follows = false;        ///< of a tapping cycle: the machine follows a spindle that it simulates
   };
 
   struct Step {
@@ -58,6 +59,7 @@ class DrillCycle {
       overrides_on,
       in_step,
       out_of_step,
+      spindle_turn,  ///< the way a tap is cut, where it stands before the cycle
       pause
     };
     Kind kind = Kind::rapid;
@@ -79,6 +81,7 @@ class DrillCycle {
     stop,             ///< the spindle stops
     reverse,          ///< the spindle turns the other way
     start,            ///< the spindle turns as before
+    turn,             ///< the spindle turns the way a tap is cut, if it stood before the cycle
     no_overrides,     ///< the operator's are not obeyed
     overrides_again,  ///< they are, as before
     in_step,          ///< motion goes in step with the spindle

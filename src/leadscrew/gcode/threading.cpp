@@ -11,16 +11,6 @@ namespace {
 
 constexpr double most_passes = 10'000;
 
-// Of a line, as feed counts it: along X Y Z; along U V W where those stand still; along A B C where all linear axes do.
-double feed_length_of_line(const base::AxisVector& from, const base::AxisVector& to) {
-  for (const base::Axis first : {base::Axis::X, base::Axis::U, base::Axis::A}) {
-    const std::size_t i = base::index(first);
-    const double length = numeric::hypot(to[i] - from[i], to[i + 1] - from[i + 1], to[i + 2] - from[i + 2]);
-    if (length > 0) return length;
-  }
-  return 0;
-}
-
 }  // namespace
 
 bool Threading::can_turn(const Block& block) {
@@ -68,28 +58,6 @@ double Threading::feed_at(double lead, double factor) const {
   return lead * factor * modal_.spindle_speed / seconds_per_minute;
 }
 
-// An axis that cannot go as fast as the spindle asks would spoil the thread:
-//
-//     lead · S · |d_i| / |d| ≤ v_i
-//
-// So does a simulated spindle where it is fastest.
-bool Threading::is_reached(const Block& block, const base::AxisVector& from, const base::AxisVector& to, double lead) {
-  const double length = feed_length_of_line(from, to);
-  double fastest = std::numeric_limits<double>::infinity();
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    const double part = std::fabs(to[i] - from[i]);
-    if (part > 0 && machine_.axes[i]) fastest = std::min(fastest, machine_.axes[i]->velocity * length / part);
-  }
-  if (machine_.threads_follow()) fastest /= 1 + machine_.spindle->wander;
-  constexpr double rounding = 1e-9;
-  if (feed_at(lead) <= fastest * (1 + rounding)) return true;
-  return error(
-      "thread-too-fast", motion_column(block),
-      "the thread asks for " + text(feed_at(lead) * seconds_per_minute) + " mm/min at S" + text(modal_.spindle_speed),
-      "the axes go along with at most S" + text(std::floor(fastest * seconds_per_minute / lead)));
-}
-
 void Threading::go(const base::AxisVector& target, double feed) {
   Move& line = outbox_.emit(Move::Kind::line);
   line.end = target;
@@ -113,7 +81,7 @@ void Threading::cut_to(const Block& block, const base::AxisVector& target) {
   const std::optional<double> lead = lead_of(block);
   if (can_turn(block) && lead && travel_.inside_travel(block, target) && target != frame_.position) {
     const double in_mm = along_path(*lead * (motion_.is_linear(target) ? frame_.length_unit : 1), target);
-    if (is_reached(block, frame_.position, target, in_mm)) {
+    if (pace_.is_reached(block, {frame_.position, target, in_mm, modal_.spindle_speed})) {
       outbox_.emit_event(base::Event::Kind::spindle_in_step, in_mm);
       go(target, feed_at(in_mm));
       outbox_.emit_event(base::Event::Kind::spindle_in_step, 0);
@@ -130,15 +98,22 @@ void Threading::tap(const Block& block) {
   if (!sound || target == start) return;
   const double in_mm = *lead * frame_.length_unit;
   const double factor = std::max(1.0, block.value_or('I', 1));
-  if (!is_reached(block, start, target, in_mm * factor)) return;
+  const double speed = modal_.spindle_speed;
+  if (!pace_.is_reached(block, {start, target, in_mm, speed * factor})) return;
+  if (!pace_.can_brake(block, {start, target, in_mm, speed})) return;
   using Kind = base::Event::Kind;
   const bool clockwise = modal_.spindle == Code::M3;
   outbox_.emit_event(Kind::rigid_tap, in_mm);
   go(target, feed_at(in_mm));
-  outbox_.emit_event(clockwise ? Kind::spindle_counterclockwise : Kind::spindle_clockwise,
-                     modal_.spindle_speed * factor);
+  // Where the cycle follows the spindle it stands at both ends.
+  const auto turn = [&](bool is_clockwise, double at) {
+    Move& move = outbox_.emit(Move::Kind::event);
+    outbox_.prepare_event(move, is_clockwise ? Kind::spindle_clockwise : Kind::spindle_counterclockwise, at);
+    move.event.waits |= machine_.threads_follow();
+  };
+  turn(!clockwise, speed * factor);
   go(start, feed_at(in_mm, factor));
-  outbox_.emit_event(clockwise ? Kind::spindle_clockwise : Kind::spindle_counterclockwise, modal_.spindle_speed);
+  turn(clockwise, speed);
   outbox_.emit_event(Kind::spindle_in_step, 0);
 }
 
@@ -229,7 +204,9 @@ bool Threading::check_passes(const Block& block, const ThreadCycle::Plan& plan) 
       if (step.kind != ThreadCycle::Step::Kind::rapid && step.kind != ThreadCycle::Step::Kind::thread) continue;
       const base::AxisVector to = place(step);
       if (!travel_.inside_travel(block, to)) return false;
-      if (step.kind == ThreadCycle::Step::Kind::thread && !is_reached(block, from, to, lead)) return false;
+      if (step.kind == ThreadCycle::Step::Kind::thread &&
+          !pace_.is_reached(block, {from, to, lead, modal_.spindle_speed}))
+        return false;
       from = to;
     }
   }

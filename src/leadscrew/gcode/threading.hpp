@@ -7,6 +7,7 @@
 // machine simulates its spindle, the cycle follows that (interpolator/in_step.cpp); lead × S is what it is about.
 
 #include <leadscrew/gcode/motion.hpp>
+#include <leadscrew/gcode/spindle_pace.hpp>
 #include <leadscrew/gcode/thread_cycle.hpp>
 
 namespace leadscrew::gcode {
@@ -14,7 +15,7 @@ namespace leadscrew::gcode {
 class Threading : Part {
  public:
   Threading(const Context& context, Motion& motion, Travel& travel, Outbox& outbox)
-      : Part(context), motion_(motion), travel_(travel), outbox_(outbox) {}
+      : Part(context), motion_(motion), travel_(travel), outbox_(outbox), pace_(context) {}
 
   [[gnu::cold]] void thread(const Block& block);  ///< G33
   [[gnu::cold]] void tap(const Block& block);     ///< G33.1
@@ -57,7 +58,6 @@ class Threading : Part {
   bool check_steps(const Block& block);
   bool moves_linear_axes_only(const Block& block);
   std::optional<double> lead_of(const Block& block);
-  bool is_reached(const Block& block, const base::AxisVector& from, const base::AxisVector& to, double lead);
   double feed_at(double lead, double factor = 1) const;
   void go(const base::AxisVector& target, double feed);
   std::optional<int> count(const Block& block, char letter, int most);
@@ -74,6 +74,7 @@ class Threading : Part {
   Motion& motion_;
   Travel& travel_;
   Outbox& outbox_;
+  SpindlePace pace_;
   ThreadCycle cycle_;
   Finish finish_;
   std::vector<ThreadCycle::Step> steps_;  // of a cycle of two blocks

@@ -133,7 +133,9 @@ bool Threading::check_steps(const Block& block) {
     if (step.kind != ThreadCycle::Step::Kind::rapid && step.kind != ThreadCycle::Step::Kind::thread) continue;
     const base::AxisVector to = place(step);
     if (!travel_.inside_travel(block, to)) return false;
-    if (step.kind == ThreadCycle::Step::Kind::thread && !is_reached(block, from, to, lead)) return false;
+    if (step.kind == ThreadCycle::Step::Kind::thread &&
+        !pace_.is_reached(block, {from, to, lead, modal_.spindle_speed}))
+      return false;
     from = to;
   }
   return true;

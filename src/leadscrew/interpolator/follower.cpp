@@ -84,13 +84,19 @@ double Follower::wanted_acceleration() const {
   return std::clamp(wanted, -limits_.acceleration, limits_.acceleration);
 }
 
-/// Does the stop from where this jerk leads keep the velocity, and the end?
-bool Follower::may_take(double jerk, double end) const {
+/// Does the stop from where this jerk leads keep the velocity and the end, and turn back only if it may?
+bool Follower::may_take(double jerk, Back back, double end) const {
   const double t = period_, a = a_ + jerk * t, v = v_ + (a_ + jerk * t / 2) * t;
   if (std::abs(v) > limits_.velocity || std::abs(v + a * std::abs(a) / (2 * limits_.jerk)) > limits_.velocity)
     return false;
   const double s = s_ + (v_ + (a_ / 2 + jerk * t / 6) * t) * t;
-  return s + stop_from(v, a, limits_.acceleration, limits_.jerk).distance <= end;
+  const Stop stop = stop_from(v, a, limits_.acceleration, limits_.jerk);
+  if (back == Back::never && (v < 0 || stop.sign < 0)) return false;
+  if (s + stop.distance > end) return false;
+  if (!(v > 0 && stop.sign < 0)) return true;
+  // It turns back before it rests.
+  const double j = limits_.jerk, turn = (-a - std::sqrt(std::max(a * a - 2 * j * v, 0.0))) / j;
+  return s + (v + (a / 2 + j * turn / 6) * turn) * turn <= end;
 }
 
 void Follower::move(double jerk) {
@@ -130,8 +136,8 @@ bool Follower::end_at(double end) {
   return true;
 }
 
-void Follower::begin_stop() {
-  begin_braking(Task::stopping, limits_.jerk, s_ + stop_from(v_, a_, limits_.acceleration, limits_.jerk).distance);
+void Follower::begin_stop(Task task) {
+  begin_braking(task, limits_.jerk, s_ + stop_from(v_, a_, limits_.acceleration, limits_.jerk).distance);
 }
 
 /// A period of the manoeuvre. Has it ended?
@@ -168,18 +174,23 @@ void Follower::go_on_to(double end) {
 
 /// As much of this jerk as keeps the velocity: the hardest braking does.
 double Follower::within_velocity(double jerk) const {
-  if (may_take(jerk, HUGE_VAL)) return jerk;
+  if (may_take(jerk, Back::with_spindle, HUGE_VAL)) return jerk;
   const double brake = std::min(limits_.jerk, (limits_.acceleration + (v_ > 0 ? a_ : -a_)) / period_);
   double low = v_ > 0 ? -brake : brake, high = jerk;
   for (int k = 0; k < halvings / 2; ++k) {
     const double middle = (low + high) / 2;
-    (may_take(middle, HUGE_VAL) ? low : high) = middle;
+    (may_take(middle, Back::with_spindle, HUGE_VAL) ? low : high) = middle;
   }
   return low;
 }
 
-void Follower::follow(double place, double end) {
+void Follower::follow(double place, double end, Back back) {
   if (is_stopped_) return stop();
+  if (task_ == Task::pausing) {
+    estimate(place);
+    go_on();
+    return;
+  }
   if (task_ != Task::none) return go_on_to(end);
   if (rests_ && s_ == end) return;
   rests_ = false;
@@ -187,23 +198,29 @@ void Follower::follow(double place, double end) {
   estimate(place);
   const double wanted = (wanted_acceleration() - a_) / period_;
   const double jerk = within_velocity(std::clamp(wanted, -limits_.jerk, limits_.jerk));
-  if (may_take(jerk, end)) return move(jerk);
-  if (!end_at(end)) begin_stop();
+  if (may_take(jerk, back, end)) return move(jerk);
+  if (may_take(jerk, Back::with_spindle, end)) {
+    begin_stop(Task::pausing);
+    go_on();
+    return;
+  }
+  if (!end_at(end)) begin_stop(Task::stopping);
   go_on_to(end);
 }
 
 void Follower::stop() {
   is_stopped_ = true;
   if (rests_) return;
-  if (task_ != Task::stopping) begin_stop();
+  if (task_ != Task::stopping) begin_stop(Task::stopping);
   rests_ = go_on();
 }
 
 void Follower::go(double end) {
+  if ((task_ == Task::ending || task_ == Task::approaching) && manoeuvre_.end == end) return go_on_to(end);
   if (task_ != Task::going && task_ != Task::stopping) {
     rests_ = s_ == end && v_ == 0 && a_ == 0;
     if (rests_) return;
-    v_ == 0 && a_ == 0 ? begin_line(Task::going, end) : begin_stop();
+    v_ == 0 && a_ == 0 ? begin_line(Task::going, end) : begin_stop(Task::stopping);
   }
   rests_ = go_on() && s_ == end;
 }

@@ -30,9 +30,11 @@ class Follower {
   /// spindle's place in step, > 0. memory: s, of the estimate of the spindle, ≥ 0; at least four periods.
   Follower(const machine::Derivatives& limits, double period, double tolerance, double memory = 0);
 
+  enum class Back : bool { never, with_spindle };
   /// A period in step with a spindle that asks for `place` as it begins. Motion rests at `end`, ≥ s, where the spindle
-  /// leads there, and stays; infinite: nowhere. Before, it turns back with the spindle. Behind stop() as that.
-  void follow(double place, double end);
+  /// leads there, and stays; infinite: nowhere. Before, it turns back with the spindle, or waits for it at rest: the same in
+  /// all calls. Behind stop() as that.
+  void follow(double place, double end, Back back = Back::with_spindle);
   /// A period on the way to rest, as soon as the limits allow. There it stays.
   void stop();
   /// A period on the way to rest at `end`: in motion, first to rest where the limits allow, and from there.
@@ -58,18 +60,18 @@ class Follower {
     double elapsed = 0;
     double end = 0;  ///< where it rests
   };
-  enum class Task { none, ending, approaching, stopping, going };
+  enum class Task { none, ending, approaching, stopping, going, pausing };
 
   void estimate(double place);
   double wanted_acceleration() const;
-  bool may_take(double jerk, double end) const;
+  bool may_take(double jerk, Back back, double end) const;
   void move(double jerk);
   double within_velocity(double jerk) const;
   void begin(Task task, const std::array<Phase, 3>& phases, double end);
   void begin_braking(Task task, double jerk, double end);
   void begin_line(Task task, double end);
   bool end_at(double end);
-  void begin_stop();
+  void begin_stop(Task task);
   bool go_on();
   void go_on_to(double end);
 

@@ -1,6 +1,7 @@
 // Lines in step with the simulated spindle. How long one takes, only the spindle knows: the line is the whole chunk, and
 // its end is told when motion rests there.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <leadscrew/interpolator/interpolator.hpp>
@@ -31,7 +32,9 @@ void Interpolator::turn_spindle(numeric::DoubleDouble time) {
     const std::uint64_t kind = bit(event.kind);
     if ((kind & obeyed) == 0) continue;
     if (kind != bit(Kind::spindle_speed)) direction_ = (kind & stops) != 0 ? 0 : kind == clockwise ? 1 : -1;
-    spindle_->turn(direction_ == 0 ? 0 : direction_ * event.value, time.value());
+    const bool is_followed = thread_ && begins_at_depth();
+    spindle_->turn(direction_ == 0 ? 0 : direction_ * event.value, time.value(),
+                   is_followed ? chunk_->in_step->tap_acceleration : HUGE_VAL);
   }
 }
 
@@ -43,7 +46,7 @@ void Interpolator::leave_chunk() {
 
 /// Revolutions the way in which the thread is cut.
 double Interpolator::turned(numeric::DoubleDouble time) const {
-  return (direction_ < 0 ? -1 : 1) * spindle_->revolutions(time.value());
+  return way() * spindle_->revolutions(time.value());
 }
 
 void Interpolator::begin_thread() {
@@ -52,6 +55,38 @@ void Interpolator::begin_thread() {
   thread.waits = step.waits_for_index;
   thread.begin = index_ + step.turns;
   end_ = begin_ + numeric::DoubleDouble(longer_than_any);
+}
+
+/// Where the line begins, revolutions the way in which it is cut: a tap comes back from where the spindle stands.
+double Interpolator::begin_of(const Thread& thread) const {
+  return begins_at_depth() ? way() * stood_at_ : thread.begin;
+}
+
+bool Interpolator::begins_at_depth() const {
+  const planner::Chunk::InStep& step = *chunk_->in_step;
+  return step.tap_acceleration > 0 && !step.waits_for_index;
+}
+
+/// Until the spindle has taken up its speed, and its index passes between this time and the next word's.
+void Interpolator::wait_for_index(Thread& thread, numeric::DoubleDouble now) {
+  if (!spindle_->is_at_speed(now.value())) return;
+  const double turns = chunk_->in_step->turns, index = std::floor(turned(now_) - turns);
+  if (!(index > std::floor(turned(now) - turns))) return;
+  thread.waits = false;
+  index_ = index;
+  thread.begin = index + turns;
+}
+
+/// From this time to the next word's. A tap's spindle is braked in time; where it stands motion goes to the end by itself.
+void Interpolator::follow_spindle(Thread& thread, numeric::DoubleDouble now, double length) {
+  const planner::Chunk::InStep& step = *chunk_->in_step;
+  const double begin = begin_of(thread), place = std::max(step.lead * (turned(now) - begin), 0.0);
+  if (step.tap_acceleration > 0) {
+    const double end = way() * (begin + length / step.lead);
+    spindle_->stand_at(end, now.value(), now_.value(), step.tap_acceleration);
+    if (spindle_->stands(now.value())) return thread.follower.go(length);
+  }
+  thread.follower.follow(place, length, Follower::Back::never);
 }
 
 base::Word Interpolator::next_in_step() {
@@ -69,18 +104,16 @@ base::Word Interpolator::next_in_step() {
   word.state = thread.waits ? base::MotionState::rest : base::MotionState::changing;
   pass_events(segment.piece, s);
   turn_spindle(now_);
-  const planner::Chunk::InStep& step = *chunk_->in_step;
-  const double turned_now = turned(now_), length = piece.axes().length();
+  const numeric::DoubleDouble now = now_;
+  const double length = piece.axes().length();
   tick_ = base::next(tick_);
   now_ = time_of(tick_, period_);
   if (thread.is_left) {
     thread.follower.stop();
-  } else if (!thread.waits) {
-    thread.follower.follow(step.lead * (turned_now - thread.begin), length);
-  } else if (const double index = std::floor(turned(now_) - step.turns); index > std::floor(turned_now - step.turns)) {
-    thread.waits = false;
-    index_ = index;
-    thread.begin = index + step.turns;
+  } else if (thread.waits) {
+    wait_for_index(thread, now);
+  } else {
+    follow_spindle(thread, now, length);
   }
   const bool may_end = thread.is_left || thread.follower.s() == length;
   if (may_end && thread.follower.rests()) end_thread(piece);
@@ -96,6 +129,8 @@ void Interpolator::end_thread(const toolpath::Piece& piece) {
     line_ = piece.line_at(s);
     end_on_piece_ = s;
   } else {
+    const planner::Chunk::InStep& step = *chunk_->in_step;
+    stood_at_ = way() * (begin_of(*thread_) + s / step.lead);
     ++threads_.lines;
     if (thread_->follower.run_in() > threads_.run_in) {
       threads_.run_in = thread_->follower.run_in();

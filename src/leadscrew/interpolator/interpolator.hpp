@@ -114,6 +114,11 @@ class Interpolator {
   base::Word next_in_step();
   void begin_thread();
   void end_thread(const toolpath::Piece& piece);
+  void wait_for_index(Thread& thread, numeric::DoubleDouble now);
+  void follow_spindle(Thread& thread, numeric::DoubleDouble now, double length);
+  double begin_of(const Thread& thread) const;
+  bool begins_at_depth() const;  ///< a tap's way back
+  double way() const { return direction_ < 0 ? -1 : 1; }
   double turned(numeric::DoubleDouble time) const;
   void turn_spindle(numeric::DoubleDouble time);
   base::AxisVector position(const toolpath::Piece& piece, std::size_t index, numeric::DoubleDouble s);
@@ -157,6 +162,7 @@ class Interpolator {
   double direction_ = 0;          ///< in which it was told to turn: 1 clockwise, -1 counterclockwise, 0 to stand
   std::optional<Thread> thread_;  ///< that motion is on, or waits for
   double index_ = 0;              ///< revolutions the spindle's way, at the index where the last thread began
+  double stood_at_ = 0;           ///< revolutions clockwise, where the last line in step ended
   bool has_left_ = false;
   std::size_t turned_ = 0;  ///< events of the chunk that the spindle has obeyed
   ThreadFigures threads_;

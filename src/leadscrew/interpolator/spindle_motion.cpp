@@ -25,7 +25,10 @@ numeric::Sines sines_at(double frequency, double t, double phase) {
 }  // namespace
 
 SpindleMotion::SpindleMotion(const machine::Spindle& spindle)
-    : acceleration_(spindle.acceleration / seconds_per_minute), wander_(spindle.wander), waves_{} {
+    : acceleration_(spindle.acceleration / seconds_per_minute),
+      ramp_(acceleration_),
+      wander_(spindle.wander),
+      waves_{} {
   std::uint64_t state = spindle.seed;
   double sum = 0;
   for (std::size_t k = 0; k < waves_.size(); ++k) {
@@ -54,25 +57,56 @@ double SpindleMotion::wander(double t) const {
 }
 
 double SpindleMotion::ramp_speed(double since) const {
-  const double change = to_ - from_, most = acceleration_ * since;
+  const double change = to_ - from_, most = ramp_ * since;
   return from_ + std::clamp(change, -most, most);
 }
 
-void SpindleMotion::turn(double speed, double t) {
+/// Since the ramp began.
+double SpindleMotion::turned(double since) const {
+  const double ramp = std::min(std::abs(to_ - from_) / ramp_, since);
+  return (from_ + ramp_speed(ramp)) / 2 * ramp + to_ * (since - ramp);
+}
+
+void SpindleMotion::turn(double speed, double t, double acceleration) {
   const double now = own_time(t), passed = revolutions(t);
   from_ = ramp_speed(now - begin_);
   to_ = speed / seconds_per_minute;
   revolutions_ = passed;
   begin_ = now;
+  ramp_ = std::min(acceleration, acceleration_);
+}
+
+/// By its own time u since the ramp began, from n₀ with acceleration a, then at n₁, it stands n²/2b behind where it begins to
+/// brake by b. That this is at x it must begin at n, or where it has n₁:
+///
+///     (n² − n₀²)/2a + n²/2b = x,   n ≤ n₁
+void SpindleMotion::stand_at(double place, double t, double next, double acceleration) {
+  const double way = to_ < 0 ? -1 : 1, n0 = way * from_, n1 = way * to_, x = way * (place - revolutions_);
+  if (to_ == 0) return;
+  const double a = ramp_, b = std::min(acceleration, acceleration_);
+  const double rise = (n0 < n1 ? 1 : -1) * (n1 * n1 - n0 * n0) / (2 * a);
+  const double n = std::sqrt(std::max(x + n0 * n0 / (2 * a), 0.0) / (1 / (2 * a) + 1 / (2 * b)));
+  const double steady = std::abs(n1 - n0) / a + (x - rise - n1 * n1 / (2 * b)) / n1;
+  const double now = own_time(t) - begin_, u = std::max(n0 < n && n < n1 ? (n - n0) / a : steady, now);
+  if (!(u < own_time(next) - begin_)) return;
+  const double reached = ramp_speed(u);
+  revolutions_ += turned(u);
+  from_ = reached;
+  to_ = 0;
+  begin_ += u;
+  ramp_ = b;
+}
+
+bool SpindleMotion::is_at_speed(double t) const {
+  return ramp_ * (own_time(t) - begin_) >= std::abs(to_ - from_);
 }
 
 double SpindleMotion::revolutions(double t) const {
-  const double since = own_time(t) - begin_, ramp = std::min(std::abs(to_ - from_) / acceleration_, since);
-  return revolutions_ + (from_ + ramp_speed(ramp)) / 2 * ramp + to_ * (since - ramp);
+  return revolutions_ + turned(std::max(own_time(t) - begin_, 0.0));
 }
 
 double SpindleMotion::speed(double t) const {
-  return ramp_speed(own_time(t) - begin_) * (1 + wander(t));
+  return ramp_speed(std::max(own_time(t) - begin_, 0.0)) * (1 + wander(t));
 }
 
 }  // namespace leadscrew::interpolator

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <leadscrew/machine/spindle.hpp>
+#include <limits>
 
 namespace leadscrew::interpolator {
 
@@ -17,13 +18,22 @@ class SpindleMotion {
   explicit SpindleMotion(const machine::Spindle& spindle);
 
   /// From t on, s, not before the last command, it goes to this speed, revolutions per minute; below 0
-  /// counterclockwise, 0 stops it.
-  void turn(double speed, double t);
+  /// counterclockwise, 0 stops it. It takes up speed by its own acceleration, or by this one, revolutions per s², if that
+  /// is less.
+  void turn(double speed, double t, double acceleration = std::numeric_limits<double>::infinity());
+  /// Of a tap: brakes by this acceleration, revolutions per s², > 0, so that it stands at this place, revolutions, if that
+  /// must begin before `next`, s; exactly there if it can be, else as soon as it can. t: as turn()'s, ≤ next; where it is
+  /// asked for from then on at `next` or later. Does nothing where it brakes to stand already.
+  void stand_at(double place, double t, double next, double acceleration);
   /// Revolutions since t = 0, counterclockwise ones counted back; at a time not before the last command, s. Its index
   /// is at whole ones.
   double revolutions(double t) const;
   /// Revolutions per second; likewise.
   double speed(double t) const;
+  /// Has it taken up the speed that was asked for last? Likewise.
+  bool is_at_speed(double t) const;
+  /// Does it stand, as it was told? Likewise.
+  bool stands(double t) const { return to_ == 0 && is_at_speed(t); }
 
  private:
   struct Wave {
@@ -33,8 +43,10 @@ class SpindleMotion {
   double own_time(double t) const;
   double wander(double t) const;
   double ramp_speed(double since) const;
+  double turned(double since) const;
 
-  double acceleration_;  ///< revolutions per s²
+  double acceleration_;  ///< its own, revolutions per s²
+  double ramp_;          ///< in force
   double wander_;
   std::array<Wave, 3> waves_;
   double begin_ = 0;          ///< of the ramp, by its own time, s

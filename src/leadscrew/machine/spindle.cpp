@@ -1,9 +1,25 @@
+#include <algorithm>
 #include <leadscrew/base/number_text.hpp>
 #include <leadscrew/machine/fields.hpp>
 #include <leadscrew/machine/spindle.hpp>
+#include <leadscrew/numeric/functions.hpp>
 #include <string>
 
 namespace leadscrew::machine {
+
+double tap_acceleration(const Spindle& spindle, const Derivatives& limits, double lead, double tolerance,
+                        base::Period period) {
+  constexpr double seconds_per_minute = 60;
+  const double t = period.seconds(), gain = std::min(limits.jerk / limits.acceleration, 0.1 / t);
+  // Not half of the tolerance for each of both terms; the axis' acceleration is shared with what makes good errors.
+  const double share = 0.45 * tolerance;
+  const double by_estimate = share / (1.2 * t / gain + 6 * t * t);
+  const double by_jerk = numeric::cbrt(share / 2.4 * limits.jerk * limits.jerk);
+  const double change = std::min({by_estimate, by_jerk, limits.acceleration / 2}) / 2;
+  // By the clock a spindle that is fast by its wander takes up speed faster by the square of that.
+  const double faster = 1 + spindle.wander;
+  return std::min(spindle.acceleration / seconds_per_minute, change / lead / (faster * faster));
+}
 
 void check_spindle(const Spindle& spindle, std::vector<base::Diagnostic>& problems) {
   // Of NaN nothing is true.

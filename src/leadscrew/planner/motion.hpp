@@ -99,9 +99,12 @@ struct Chunk {
   double tail_length = 0;          ///< travelled by the tail
   /// A line in step with the spindle, which is the whole chunk.
   struct InStep {
-    double lead = 0;                ///< units of the piece's length in a revolution, > 0
-    double turns = 0;               ///< of the spindle since the thread's index, where the line begins; ≥ 0
-    bool waits_for_index = true;    ///< else it goes on with the thread of the line before
+    double lead = 0;              ///< units of the piece's length in a revolution, > 0
+    double turns = 0;             ///< of the spindle since the thread's index, where the line begins; ≥ 0
+    bool waits_for_index = true;  ///< else it goes on with the thread, or the tap, of the line before
+    /// Of a tap, revolutions per s² (machine::tap_acceleration), by which the spindle brakes so that it stands where the line
+    /// ends. A line that waits for no index begins where it stands, and the spindle takes up speed by no more. 0: of a thread.
+    double tap_acceleration = 0;
     machine::Derivatives limits{};  ///< along the piece
     double tolerance = 0;           ///< units: so near to the spindle's place it is in step
   };

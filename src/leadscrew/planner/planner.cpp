@@ -290,12 +290,10 @@ std::optional<Chunk> Planner::plan() {
   return follow_events(std::move(*chunk));
 }
 
-/// Of tapping cycles and G33.1, which go at the speed of S, too.
 void Planner::take_lead(const base::Event& event) {
-  using Kind = base::Event::Kind;
-  if (event.kind != Kind::spindle_in_step && event.kind != Kind::rigid_tap) return;
-  const bool is_thread = event.kind == Kind::spindle_in_step && event.output != base::in_tapping_cycle;
-  lead_ = is_thread ? event.value : 0;
+  if (!base::is_in_step(event.kind)) return;
+  taps_ = event.kind == base::Event::Kind::rigid_tap || event.output == base::in_tapping_cycle;
+  lead_ = event.value;
   if (lead_ > 0) return;
   turns_ = 0;
   is_in_thread_ = false;
@@ -311,9 +309,14 @@ std::optional<Chunk::InStep> Planner::in_step() {
   if (!follows_ || lead_ == 0 || look_ahead_.section().size() > 1 || closed_form_->rest() > 0 || line == nullptr)
     return std::nullopt;
   Chunk::InStep step{.lead = lead_along(*last_, lead_), .waits_for_index = !is_in_thread_};
-  step.turns = std::max(turns_ - line->length() / step.lead, 0.0);
   step.limits = line_limits(*line, constraints_);
   step.tolerance = machine_.tolerance;
+  if (taps_) {
+    step.tap_acceleration =
+        machine::tap_acceleration(*machine_.spindle, step.limits, step.lead, step.tolerance, machine_.period);
+  } else {
+    step.turns = std::max(turns_ - line->length() / step.lead, 0.0);
+  }
   is_in_thread_ = true;
   return step;
 }

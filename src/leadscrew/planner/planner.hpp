@@ -56,8 +56,8 @@ class Planner {
   // popped.
 
   /// Before the first chunk: the cycle follows the machine's spindle (Machine::threads_follow). A line of a thread (G33,
-  /// G76) that begins at its own beginning is one chunk then, however long, with Chunk::in_step, and is not held on the
-  /// way: who wants rest there asks the interpolator (Interpolator::leave_step).
+  /// G76) or a tap (G33.1, G84, G74) that begins at its own beginning is one chunk then, however long, with Chunk::in_step,
+  /// and is not held on the way: who wants rest there asks the interpolator (Interpolator::leave_step).
   void follow_spindle() { follows_ = machine_.threads_follow(); }
   /// From now on no chunk commits to more than about this, s > 0. The motion is the same, bit for bit, however it is
   /// sliced.
@@ -138,7 +138,8 @@ class Planner {
   AskedOverrides asked_;
   double feed_factor_ = 1;                 ///< in force
   bool follows_ = false;                   ///< the cycle, a spindle
-  double lead_ = 0;                        ///< of the thread that motion is in; else 0
+  double lead_ = 0;                        ///< of the thread or tap that motion is in; else 0
+  bool taps_ = false;                      ///< is it a tap?
   double turns_ = 0;                       ///< of the spindle since the thread began, at the end of what was taken
   bool is_in_thread_ = false;              ///< a line of it was in step
   double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element

@@ -67,8 +67,7 @@ void TimeBound::push(const toolpath::Element& element) {
     return;
   }
   if (const auto* event = std::get_if<base::Event>(&element)) {
-    if (event->kind == base::Event::Kind::spindle_in_step)
-      is_in_thread_ = event->value > 0 && event->output != base::in_tapping_cycle;
+    if (base::is_in_step(event->kind)) is_in_step_ = event->value > 0;
     return;
   }
   const auto* piece = std::get_if<toolpath::Piece>(&element);
@@ -80,7 +79,7 @@ void TimeBound::push(const toolpath::Element& element) {
     if (is_kink) slow_down_to(greatest_speed_over_kink(leaving_, entering, machine_));
   }
   held_ = *piece;
-  if (is_in_thread_ && machine_.threads_follow()) held_->feed = std::numeric_limits<double>::infinity();
+  if (is_in_step_ && machine_.threads_follow()) held_->feed = std::numeric_limits<double>::infinity();
   leaving_ = piece->axes().jets(piece->axes().length());
   if (piece->stop) stop();
 }

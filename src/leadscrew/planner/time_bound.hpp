@@ -97,7 +97,7 @@ class TimeBound {
   std::optional<toolpath::Piece> held_;  ///< the last piece, until it is known how it ends
   std::vector<Interval> waiting_;
   bool begins_at_rest_ = true;    ///< what comes next
-  bool is_in_thread_ = false;     ///< likewise: as fast as a spindle that turns as it likes
+  bool is_in_step_ = false;       ///< likewise: as fast as a spindle that turns as it likes
   geometry::PointJet leaving_{};  ///< at the end of the last piece
   double x_begin_ = 0;            ///< x where what is waiting begins
   double seconds_ = 0;

@@ -97,7 +97,7 @@ double PieceSource::length_of(const gcode::Move& move, FeedAxes axes) const {
 ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
   ProgrammedFeed feed;
   feed.axes = feed_axes_of(move, whole_.kind);
-  if (is_in_thread_ && threads_follow_) {
+  if (is_in_step_ && threads_follow_) {
     feed.value = std::numeric_limits<double>::infinity();
     return feed;
   }
@@ -210,8 +210,7 @@ void PieceSource::read_ahead() {
       if (any_move() && (probes_ || ahead_->is_probing())) stops_.push_back({end_, end_tolerance_, ahead_->line});
       return;
     }
-    if (ahead_->kind == Kind::event && ahead_->event.kind == base::Event::Kind::spindle_in_step)
-      is_in_thread_ = ahead_->event.value > 0 && ahead_->event.output != base::in_tapping_cycle;
+    if (ahead_->kind == Kind::event && base::is_in_step(ahead_->event.kind)) is_in_step_ = ahead_->event.value > 0;
     const bool rests =
         ahead_->kind == Kind::dwell || (ahead_->event.waits && ahead_->event.kind != base::Event::Kind::program_end);
     if (rests && any_move()) stops_.push_back({end_, end_tolerance_, ahead_->line});

@@ -19,7 +19,7 @@ struct RequiredStop {
 
 class PieceSource {
  public:
-  /// threads_follow: lines of threads are as fast as a spindle that turns as it likes, and have no feed.
+  /// threads_follow: lines of threads and taps are as fast as a spindle that turns as it likes, and have no feed.
   PieceSource(MoveSource moves, const Metric& metric, bool threads_follow)
       : moves_(std::move(moves)), metric_(metric), threads_follow_(threads_follow), curve_(metric) {}
 
@@ -54,7 +54,7 @@ class PieceSource {
   MoveSource moves_;
   const Metric& metric_;
   const bool threads_follow_;
-  bool is_in_thread_ = false;  // what follows the move that was read last
+  bool is_in_step_ = false;  // what follows the move that was read last
   bool has_begun_ = false;
   bool probes_ = false;               // the move that was read last
   std::optional<gcode::Move> ahead_;  // the move behind the block that is being cut
