@@ -125,6 +125,28 @@ TEST(DriveServe, ObeysWhoHasTheToken) {
   EXPECT_EQ(outcome.json()["end"], "stopped");
 }
 
+/// A thread goes on as it is programmed, which is told; so is that a program forbids to hold.
+TEST(DriveServe, TellsThatAHoldWaitsForTheEndOfAThread) {
+  const Installed folder;
+  folder.write("part.ngc", "G21 G90 G94\nS600 M3\nG33 Z-20 K1\nG1 X5 F600\nM53 P0\nG1 X500 F3000\nM2\n");
+  Running drive(folder, {"drive", "part.ngc", "--serve", "0", "--control", "--json"}, folder.surroundings());
+  const int port = port_of(drive);
+  const std::string token = token_of(drive);
+  const auto viewer = viewer_of(port);
+  viewer->read_until("\"state\":\"moving\"");
+  EXPECT_EQ(post(port, "/live/control", R"({"hold": true})", token).status, 204);
+  viewer->read_until("\"state\":\"hold_waits\"");
+  viewer->read_until("\"state\":\"held\"");
+  EXPECT_EQ(post(port, "/live/control", R"({"hold": false})", token).status, 204);
+  viewer->read_until("\"line\":6,");
+  EXPECT_EQ(post(port, "/live/control", R"({"hold": true})", token).status, 204);
+  viewer->read_until("\"state\":\"hold_refused\"");
+  EXPECT_EQ(post(port, "/live/control", R"({"stop": true})", token).status, 204);
+  const auto samples = data_of(viewer->read_until(), "sample");
+  for (const Json& sample : samples) EXPECT_TRUE(sample["state"] != "held" || sample["position"][2] == -20) << sample;
+  EXPECT_EQ(drive.wait().status, 130);
+}
+
 /// Without a terminal it is the page that lets motion go on, each pause by itself.
 TEST(DriveServe, WaitsAtPausesForWhoHasTheToken) {
   const Installed folder;

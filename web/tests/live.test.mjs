@@ -123,6 +123,27 @@ test("a pause waits for the page, without a terminal", async () => {
   await close();
 });
 
+test("a hold within a thread waits for its end, which is told", async () => {
+  const { address, token, ended } = await driven("G21 G90 G94\nS300 M3\nM0\nG33 Z-20 K1\nG1 X5 F600\nM2\n");
+  const { page, close } = await openProgram(browser, address);
+  await comesTo(page, "paused");
+  await page.fill("#live-token", token);
+  await page.click("#live-go-on");
+  await comesTo(page, "moving");
+  await page.click("#live-hold");
+  await comesTo(page, "hold_waits");
+  assert.equal(await page.textContent("#live-hold"), "Resume");
+  await comesTo(page, "held");
+  assert.equal(await live(page, "State"), "held");
+  await page.waitForFunction(() =>
+    /^−(20.00|19.99)/.test(document.querySelector('#live [data-name="Z"] dd').textContent),
+  );
+  await page.click("#live-hold");
+  await page.waitForFunction(() => document.querySelector("#live-said").textContent === "It has ended");
+  assert.equal(await ended, 0);
+  await close();
+});
+
 test("of five axes program and tool are seen as well: its shape, its tip and its direction", async () => {
   writeFileSync(join(folder, "tools.tbl"), "T2 P2 D10 R5 Z30 L40 H50 K60\n");
   const moves = "G1 X20 Y5 A-30 C40\nX0 A0 C0\n".repeat(20);

@@ -82,17 +82,12 @@ bool DriveView::obey_keys(realtime::Runner& runner) {
   return false;
 }
 
-/// Where motion is held behind a thread, its end has not been told yet.
-bool DriveView::is_in_step(const realtime::Counters& counters) const {
-  return counters.allowed_overrides.in_step && last_.word.state != base::MotionState::rest;
-}
-
 std::string DriveView::wait_text(const realtime::Counters& counters) const {
-  const planner::AllowedOverrides& allowed = counters.allowed_overrides;
-  if (wishes_.held)
-    return style_(Tone::warning, is_in_step(counters) ? "  hold waits (in step)"
-                                 : allowed.hold       ? "  HELD"
-                                                      : "  hold not obeyed (M53 P0)");
+  const drive::HoldState hold = wishes_.hold_state(counters, last_.word);
+  if (hold != drive::HoldState::none)
+    return style_(Tone::warning, hold == drive::HoldState::waits    ? "  hold waits (in step)"
+                                 : hold == drive::HoldState::obeyed ? "  HELD"
+                                                                    : "  hold not obeyed (M53 P0)");
   if (waits_for_input_) return style_(Tone::warning, "  WAITS for an input (M66)");
   if (!wishes_.stand_at_pause(counters, last_.word)) return {};
   return style_(Tone::warning, fmt::format("  PAUSED in line {}: space goes on", base::number(*wishes_.pause.line())));
@@ -123,9 +118,9 @@ std::string DriveView::status_text(const realtime::Runner& runner) const {
   const auto micro = [&](double part) { return static_cast<double>(runner.latencies().percentile(part)) / 1e3; };
   std::string text = place_text();
   text += fmt::format("feed {:8.1f} /min  override {:3.0f} %{}{}{}", last_.word.feed * 60, wishes_.factor * 100,
-                      is_in_step(counters)              ? " not obeyed (in step)"
-                      : counters.allowed_overrides.feed ? ""
-                                                        : " not obeyed (M49)",
+                      wishes_.is_in_step(counters, last_.word) ? " not obeyed (in step)"
+                      : counters.allowed_overrides.feed        ? ""
+                                                               : " not obeyed (M49)",
                       wait_text(counters), end);
   if (!job_.arguments.drive.sink) {
     text += fmt::format("slides {:6.1f} /min by tachometers, behind by {:.4f}{}", last_.measured_feed * 60,

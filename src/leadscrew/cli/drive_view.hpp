@@ -32,7 +32,6 @@ class DriveView {
   void draw_return(double seconds);
   std::string place_text() const;
   std::string status_text(const realtime::Runner& runner) const;
-  bool is_in_step(const realtime::Counters& counters) const;
   std::string wait_text(const realtime::Counters& counters) const;
   bool is_due();
   std::string map_text() const;

@@ -137,7 +137,19 @@ LiveState DriveStream::state_of(const drive::WordMaker& maker, const realtime::C
     if (const auto line = wishes_.pause.line()) state.pause_line = base::number(*line);
   }
   if (maker.waits_for_input()) state.kind = Kind::waiting;
-  if (wishes_.held) state.kind = Kind::held;
+  switch (wishes_.hold_state(counters, last_.word)) {
+    case drive::HoldState::none:
+      break;
+    case drive::HoldState::obeyed:
+      state.kind = Kind::held;
+      break;
+    case drive::HoldState::waits:
+      state.kind = Kind::hold_waits;
+      break;
+    case drive::HoldState::refused:
+      state.kind = Kind::hold_refused;
+      break;
+  }
   if (stops_) state.kind = Kind::stopping;
   return state;
 }

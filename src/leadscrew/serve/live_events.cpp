@@ -13,8 +13,8 @@ namespace {
 
 using json::Json;
 
-constexpr std::array<std::string_view, 7> state_names = {"starting", "moving",  "resting", "held",
-                                                         "paused",   "waiting", "stopping"};
+constexpr std::array<std::string_view, 9> state_names = {"starting",     "moving", "resting", "held",    "hold_waits",
+                                                         "hold_refused", "paused", "waiting", "stopping"};
 
 std::string live_event(std::string_view name, const Json& data) {
   return fmt::format("event: {}\ndata: {}\n\n", name, data.written_in_line());

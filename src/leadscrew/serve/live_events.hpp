@@ -20,7 +20,7 @@ std::string machine_event(const machine::Machine& machine, const LiveMachine& li
 
 /// What is told beside what the drives feed back.
 struct LiveState {
-  enum class Kind { starting, moving, resting, held, paused, waiting, stopping };
+  enum class Kind { starting, moving, resting, held, hold_waits, hold_refused, paused, waiting, stopping };
   Kind kind = Kind::starting;
   double override_factor = 1;
   std::optional<std::int64_t> pause_line;  ///< of the M0, M1 or M60 where it stands

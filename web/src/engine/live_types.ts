@@ -21,7 +21,16 @@ export interface LiveMachine {
   readonly axes: readonly LiveAxis[];
 }
 
-export type LiveState = "starting" | "moving" | "resting" | "held" | "paused" | "waiting" | "stopping";
+export type LiveState =
+  | "starting"
+  | "moving"
+  | "resting"
+  | "held"
+  | "hold_waits"
+  | "hold_refused"
+  | "paused"
+  | "waiting"
+  | "stopping";
 
 export interface LiveSample {
   readonly t: number;

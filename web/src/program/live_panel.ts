@@ -10,6 +10,8 @@ const stateNames: Readonly<Record<LiveState, string>> = {
   moving: "moving",
   resting: "at rest",
   held: "held",
+  hold_waits: "hold waits: in step with the spindle",
+  hold_refused: "hold not obeyed (M53 P0)",
   paused: "paused",
   waiting: "waits for an input",
   stopping: "stopping",
@@ -118,7 +120,7 @@ export class LivePanel {
   private move(sample: LiveSample): void {
     const { machine } = this;
     if (machine === undefined) return;
-    this.held = sample.state === "held";
+    this.held = ["held", "hold_waits", "hold_refused"].includes(sample.state);
     this.hold.textContent = this.held ? "Resume" : "Hold";
     const state = stateNames[sample.state];
     put(this.numbers, [
