@@ -19,10 +19,9 @@ import {
   WebGLRenderer,
 } from "three";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
-import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
-import { LineSegmentsGeometry } from "three/examples/jsm/lines/LineSegmentsGeometry.js";
 import type { PathData, SurfaceMesh } from "../engine/motion_types";
 import { frameOf, type Camera } from "./camera";
+import { wideLines } from "./wide_lines";
 
 const mostWideSegments = 60_000; // more are drawn a pixel wide
 
@@ -163,11 +162,8 @@ export class Scene {
     this.renderer.render(this.scene, this.eye);
   }
 
-  private feedLines(places: Float32Array, painted: Float32Array): LineSegments | LineSegments2 {
-    if (places.length / 6 <= mostWideSegments) {
-      const geometry = new LineSegmentsGeometry().setPositions(places).setColors(painted);
-      return new LineSegments2(geometry, this.wide);
-    }
+  private feedLines(places: Float32Array, painted: Float32Array): LineSegments | Mesh {
+    if (places.length / 6 <= mostWideSegments) return wideLines(places, painted, this.wide);
     const geometry = new BufferGeometry()
       .setAttribute("position", new BufferAttribute(places, 3))
       .setAttribute("color", new BufferAttribute(painted, 3));
