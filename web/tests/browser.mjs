@@ -81,6 +81,11 @@ export async function settled(page) {
   });
 }
 
+/** In the page: so many pictures of it go by. */
+export async function frames(count) {
+  for (let i = 0; i < count; ++i) await new Promise((resume) => requestAnimationFrame(resume));
+}
+
 export async function choose(page, preset) {
   await page.selectOption("#preset", preset);
   await settled(page);

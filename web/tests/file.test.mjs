@@ -35,19 +35,20 @@ test("it runs from disk, and asks for nothing", async () => {
   await close();
 });
 
-for (const theme of ["light", "dark"]) {
-  test(`pictures, ${theme}`, async () => {
-    const folder = join(built, "screenshots");
-    mkdirSync(folder, { recursive: true });
-    const { page, close } = await openPage(browser, address, { colorScheme: theme });
-    for (const [module, preset, clock] of [
-      ["linear", "line-across", 9],
-      ["circular", "across-quadrants", 43],
-      ["elliptic", "ellipse-hardware", 71],
-    ]) {
-      await choose(page, preset);
-      for (let i = 0; i < clock; ++i) await page.click("#step");
-      await settled(page);
+test("pictures, light and dark", async () => {
+  const folder = join(built, "screenshots");
+  mkdirSync(folder, { recursive: true });
+  const { page, close } = await openPage(browser, address, { colorScheme: "dark" });
+  for (const [module, preset, clock] of [
+    ["linear", "line-across", 9],
+    ["circular", "across-quadrants", 43],
+    ["elliptic", "ellipse-hardware", 71],
+  ]) {
+    await choose(page, preset);
+    for (let i = 0; i < clock; ++i) await page.click("#step");
+    await settled(page);
+    for (const theme of ["dark", "light"]) {
+      await page.emulateMedia({ colorScheme: theme });
       for (const width of [1280, 1024, 390]) {
         await page.setViewportSize({ width, height: 900 });
         await page.waitForTimeout(150);
@@ -58,6 +59,6 @@ for (const theme of ["light", "dark"]) {
         await page.screenshot({ path: join(folder, `lesson-${module}-${theme}-${width}.png`), fullPage: true });
       }
     }
-    await close();
-  });
-}
+  }
+  await close();
+});

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { join } from "node:path";
 import { readFileSync, writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import { built, native, openPage, root } from "./browser.mjs";
+import { built, frames, native, openPage, root } from "./browser.mjs";
 
 export const programFile = join(built, "file/program.html");
 export const programAddress = pathToFileURL(programFile).href;
@@ -40,12 +40,22 @@ export async function write(page, text, name = "own.ngc") {
   return await planned(page);
 }
 
+/** The clock, moved there as by its slider; s. */
+export async function setTime(page, time) {
+  await page.evaluate((to) => {
+    const slider = document.querySelector("#time");
+    slider.value = String(to);
+    slider.dispatchEvent(new Event("input"));
+  }, time);
+}
+
 /** The window is so wide. A canvas that was never in it is none in a picture of the whole page: the path is looked at. */
 export async function resized(page, width) {
   await page.setViewportSize({ width, height: 900 });
   await page.evaluate(() => document.querySelector("#space").scrollIntoView());
-  await page.waitForTimeout(600);
+  await page.evaluate(frames, 3); // its size is seen in the first, asked for in the second, shown in the third
   await page.waitForFunction(() => document.querySelector("#space").dataset.drawing === undefined);
+  await page.waitForTimeout(100); // what is drawn is seen a moment later
 }
 
 export async function downloaded(page, id) {

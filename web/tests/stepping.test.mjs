@@ -47,7 +47,15 @@ test("a step back and one on are the identity at 1000 random places", async () =
     const lesson = document.querySelector(".lesson");
     const scrub = document.querySelector("#scrub");
     const told = async () => {
-      while (lesson.dataset.told !== lesson.dataset.clock) await new Promise((resolve) => setTimeout(resolve));
+      if (lesson.dataset.told === lesson.dataset.clock) return;
+      await new Promise((resolve) => {
+        const watch = new MutationObserver(() => {
+          if (lesson.dataset.told !== lesson.dataset.clock) return;
+          watch.disconnect();
+          resolve();
+        });
+        watch.observe(lesson, { attributeFilter: ["data-told"] });
+      });
     };
     const texts = (selector, of = (each) => each.textContent) =>
       [...document.querySelectorAll(selector)].map(of).join("|");
