@@ -57,6 +57,8 @@ for (const [preset, curve, clocks, pulses, error] of references) {
     );
     const numbers = await numbersOf(page);
     assert.equal(numbers.Cycle, String(clocks));
+    const quadrant = shown.columns.indexOf("quadrant");
+    if (quadrant >= 0) assert.match(numbers.Quadrant, new RegExp(`^[IV]+ \\(${shown.rows.at(-1)[quadrant]}\\)$`));
     assert.equal(numbers.Pulses, String(pulses));
     assert.equal(numbers.Greatest, error.padStart(5, "0"));
     assert.equal(native(await commandOf(page)), native(args), "the command that the page shows prints something else");

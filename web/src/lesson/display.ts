@@ -172,7 +172,8 @@ export class Display {
       ["Greatest", fixed(session.figure(clock, "maxError"), 3)],
       ["RMS", fixed(session.figure(clock, "rmsError"), 3)],
     ];
-    if (row.has("quadrant")) items.push(["Quadrant", ["I", "II", "III", "IV"][row.value("quadrant")] ?? ""]);
+    const quadrant = row.value("quadrant"); // in parentheses as the table has it, and the command
+    if (row.has("quadrant")) items.push(["Quadrant", `${["I", "II", "III", "IV"][quadrant] ?? ""} (${quadrant})`]);
     if (row.has("n") && row.has("Sx")) items.push(["Clocks left", `${row.value("n")}`]);
     if (row.has("nx")) items.push(["Left x, y", `${row.value("nx")}, ${row.value("ny")}`]);
     this.numbers.replaceChildren(
