@@ -5,6 +5,7 @@ import type { Blocks, Gouge, Lost, Measure, PathData, Plan, PoleVisit, Samples }
 
 const mostVertices = 200_000;
 const leastLoss = 5e-4; // s
+const samplesAPiece = 65_536;
 
 export function isRapid(samples: Samples, blocks: Blocks, i: number): boolean {
   return blocks.feedAsked[samples.block[i] ?? 0] === Infinity;
@@ -103,9 +104,29 @@ export function pathOf(samples: Samples, blocks: Blocks): PathData {
   };
 }
 
-export function deviationsOf(samples: Samples, blocks: Blocks, judged: Judged): Deviations {
+/** Work that stops between its pieces. */
+type InPieces<Result> = Generator<undefined, Result>;
+
+function allOf<Result>(work: InPieces<Result>): Result {
+  for (;;) {
+    const { done, value } = work.next();
+    if (done === true) return value;
+  }
+}
+
+/** Between two pieces the page is free. */
+async function bitByBit<Result>(work: InPieces<Result>): Promise<Result> {
+  for (;;) {
+    const { done, value } = work.next();
+    if (done === true) return value;
+    await new Promise((resume) => setTimeout(resume));
+  }
+}
+
+function* deviations(samples: Samples, blocks: Blocks, judged: Judged): InPieces<Deviations> {
   let [share, worst, least, greatest] = [0, 0, Infinity, 0];
   for (let i = 0; i < samples.count; ++i) {
+    if (i % samplesAPiece === samplesAPiece - 1) yield;
     if (isRapid(samples, blocks, i)) continue;
     const [distance, tolerance] = [judged.distance[i] ?? 0, judged.tolerance[i] ?? 0];
     least = Math.min(least, tolerance);
@@ -115,15 +136,26 @@ export function deviationsOf(samples: Samples, blocks: Blocks, judged: Judged): 
   return { ...judged, share, worst, tolerances: [Math.min(least, greatest), greatest] };
 }
 
+export function deviationsOf(samples: Samples, blocks: Blocks, judged: Judged): Deviations {
+  return allOf(deviations(samples, blocks, judged));
+}
+
+function* shares({ samples }: Pick<PathData, "samples">, judged: Judged): InPieces<Float32Array> {
+  const all = new Float32Array(samples.length);
+  let sample = 0;
+  for (let v = 0; v < samples.length; ++v) {
+    for (const last = samples[v] ?? 0; sample <= last; ++sample) {
+      if (sample % samplesAPiece === samplesAPiece - 1) yield;
+      const share = shareOf(judged.distance[sample] ?? 0, judged.tolerance[sample] ?? 0);
+      all[v] = Math.max(all[v] ?? 0, share);
+    }
+  }
+  return all;
+}
+
 /** Of vertices, in one of which all samples since the one before are told. */
 export function sharesOf(path: Pick<PathData, "samples">, judged: Judged): Float32Array {
-  let sample = 0;
-  return Float32Array.from(path.samples, (last) => {
-    let most = 0;
-    for (; sample <= last; ++sample)
-      most = Math.max(most, shareOf(judged.distance[sample] ?? 0, judged.tolerance[sample] ?? 0));
-    return most;
-  });
+  return allOf(shares(path, judged));
 }
 
 function rangeOf(samples: Samples, blocks: Blocks, measure: Measure): readonly [number, number] {
@@ -145,12 +177,9 @@ export function rangesOf(samples: Samples, blocks: Blocks): Plan["ranges"] {
 
 /** The plan has been judged: what is told of it is found a piece at a time, and between two the page is free. */
 export async function takeJudged(plan: Plan, judged: Judged): Promise<void> {
-  const pause = (): Promise<void> => new Promise((resume) => setTimeout(resume));
-  const deviations = deviationsOf(plan.samples, plan.blocks, judged);
-  await pause();
-  plan.path.share = sharesOf(plan.path, judged);
-  await pause();
-  plan.deviations = deviations;
+  const found = await bitByBit(deviations(plan.samples, plan.blocks, judged));
+  plan.path.share = await bitByBit(shares(plan.path, judged));
+  plan.deviations = found;
 }
 
 /** At most `most` moves of those that lose time, the dearest first. */
