@@ -124,15 +124,16 @@ export function samplesOf(of: Sampled, most: number, progress: (share: number) =
   const blockAt = blockFinder(blocks, of.period);
   const takeState = (i: number, view: DataView, at: number): void => {
     const of = layout.state;
-    axes.forEach((axis, k) => {
+    for (let k = 0; k < axes.length; ++k) {
       const to = i * axes.length + k;
+      const axis = axes[k] ?? 0;
       samples.position[to] = view.getFloat64(at + of.position + 8 * axis, true);
       samples.velocity[to] = view.getFloat64(at + of.velocity + 8 * axis, true);
       samples.acceleration[to] = view.getFloat64(at + of.acceleration + 8 * axis, true);
       samples.jerk[to] = view.getFloat64(at + of.jerk + 8 * axis, true);
-    });
+    }
     samples.feed[i] = view.getFloat64(at + of.feed, true);
-    samples.line[i] = Number(view.getBigInt64(at + of.line, true));
+    samples.line[i] = view.getInt32(at + of.line, true); // numbers of lines need no more of its 64 bits
   };
   const takePose = (i: number, view: DataView, at: number): void => {
     const of = layout.pose;

@@ -55,14 +55,17 @@ export class Plots {
     );
   }
 
-  /** In steps, to be taken one after the other. */
-  load(plan: Plan): (() => void)[] {
-    const begin = (): void => {
-      this.plan = plan;
-      this.stretch = [0, Math.max(plan.figures.time, plan.samples.step)];
-      this.clear();
-    };
-    return [begin, ...timeRows.map((_, row) => () => this.add(row))];
+  /** All of it, or a stretch of time; rows() draw it. */
+  load(plan: Plan, stretch: readonly [number, number] | undefined): void {
+    this.plan = plan;
+    this.stretch = [0, Math.max(plan.figures.time, plan.samples.step)];
+    this.clear();
+    if (stretch !== undefined) this.show(...stretch);
+  }
+
+  /** Steps that draw what is loaded, to be taken one after the other. */
+  rows(): (() => void)[] {
+    return timeRows.map((_, row) => () => this.add(row));
   }
 
   /** Colours and legends are the plots' own: made anew. */

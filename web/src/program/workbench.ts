@@ -6,6 +6,7 @@ import type { Diagnostic, FeedChange, Gouge, Limits, Phase, Plan } from "../engi
 import { sampleAt, takeJudged, timeOf, timeOfLine, ToolsOfLines } from "../engine/path";
 import { download } from "../lesson/files";
 import { html } from "../ui/dom";
+import { inTurn } from "../ui/in_turn";
 import type { Mode } from "../ui/shell";
 import { Address } from "./address";
 import { Editor } from "./editor";
@@ -287,7 +288,7 @@ export class Workbench implements Mode {
     this.progress.rest(said);
   }
 
-  /** A panel at a time: between two the page is free. */
+  /** A panel at a time: between two the page is free. What lies below all that is seen at first comes last. */
   private async load(plan: Plan, isCurrent: () => boolean): Promise<void> {
     delete this.element.dataset["shows"];
     const panels = [
@@ -296,15 +297,10 @@ export class Workbench implements Mode {
       () => this.losses.load(plan),
       () => this.gouges.load(plan),
       () => this.loops.load(plan),
-      ...this.plots.load(plan),
+      () => this.plots.load(plan, this.settings.stretch),
     ];
-    for (const panel of panels) {
-      panel();
-      await new Promise((resume) => setTimeout(resume));
-      if (!isCurrent()) return;
-    }
+    if (!(await inTurn(panels, isCurrent))) return;
     this.plan = plan;
-    if (this.settings.stretch !== undefined) this.plots.show(...this.settings.stretch);
     this.progress.rest("");
     this.line = 0;
     this.isNewText = false;
@@ -312,6 +308,7 @@ export class Workbench implements Mode {
     this.feed.show(this.settings);
     this.tell("ready");
     this.loops.planned();
+    if (!(await inTurn(this.plots.rows(), isCurrent))) return;
     if (this.settings.colouring === "deviation") await this.judge();
   }
 
