@@ -34,27 +34,12 @@ ProbeBody body_of(Kind kind, const std::vector<double>& numbers) {
   return body;
 }
 
-/// What an entry holds, for people.
-constexpr const char* form_of(Kind kind) {
-  switch (kind) {
-    case Kind::sphere:
-      return "[x, y, z, radius]";
-    case Kind::cylinder:
-    case Kind::bore:
-      return "[x, y, z, x, y, z, radius]: the middles of both ends";
-    case Kind::box:
-    case Kind::pocket:
-      break;
-  }
-  return "[x, y, z, x, y, z]: the corners of the least and the greatest coordinates";
-}
-
 void read_kind(const toml::table& table, Kind kind, const KeysTold& told, std::vector<ProbeBody>& bodies) {
   const auto index = static_cast<std::size_t>(kind);
   const std::string_view key = probe_body_keys[index];
   const toml::node* node = table.get(key);
   if (node == nullptr) return;
-  const std::string hint = fmt::format("a list of {}", form_of(kind));
+  const std::string hint = fmt::format("a list of {}", machine::probe_body_form(kind));
   if (!node->is_array()) {
     told.problem("machine-type", node->source().begin, fmt::format("{} is {}, not a list", key, type_text(*node)),
                  hint);

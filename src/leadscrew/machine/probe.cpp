@@ -46,22 +46,36 @@ std::string numbers(const ProbeBody& body) {
          (is_round ? ", " + base::text(body.radius) : "") + "]";
 }
 
-constexpr const char* what_is_right(Kind kind) {
+/// What its extent must be, and an example.
+constexpr const char* extent_of(Kind kind) {
   switch (kind) {
     case Kind::sphere:
-      return "x, y and z of the centre and a radius above 0, such as [0, 0, -20, 12]";
+      return "a radius above 0, such as [0, 0, -20, 12]";
     case Kind::cylinder:
     case Kind::bore:
-      return "x, y and z of the middles of both ends, which lie apart, and a radius above 0, such as [0, 0, -20, 0, 0, "
-             "0, 12]";
+      return "which lie apart, and a radius above 0, such as [0, 0, -20, 0, 0, 0, 12]";
     case Kind::box:
     case Kind::pocket:
       break;
   }
-  return "x, y and z of two corners, each coordinate of the second greater, such as [0, 0, -20, 60, 40, 0]";
+  return "each of the second greater, such as [0, 0, -20, 60, 40, 0]";
 }
 
 }  // namespace
+
+std::string_view probe_body_form(Kind kind) {
+  switch (kind) {
+    case Kind::sphere:
+      return "[x, y, z, radius]: the centre and the radius";
+    case Kind::cylinder:
+    case Kind::bore:
+      return "[x, y, z, x, y, z, radius]: the middles of both ends and the radius";
+    case Kind::box:
+    case Kind::pocket:
+      break;
+  }
+  return "[x, y, z, x, y, z]: the corners of the least and the greatest coordinates";
+}
 
 void check_probe(const Machine& machine, std::vector<base::Diagnostic>& problems) {
   for (const base::Axis axis : base::all_axes) check_plane(machine, axis, problems);
@@ -73,7 +87,8 @@ void check_probe(const Machine& machine, std::vector<base::Diagnostic>& problems
     problems.push_back(base::problem("machine-probe",
                                      "entry " + std::to_string(entry + 1) + " of the " +
                                          std::string(probe_body_fields[kind]) + " is " + numbers(body),
-                                     what_is_right(body.kind), {.field = probe_body_fields[kind], .entry = entry}));
+                                     std::string(probe_body_form(body.kind)) + ", " + extent_of(body.kind),
+                                     {.field = probe_body_fields[kind], .entry = entry}));
   }
 }
 

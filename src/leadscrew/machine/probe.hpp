@@ -35,6 +35,9 @@ constexpr bool is_hollow(ProbeBody::Kind kind) {
   return kind == ProbeBody::Kind::pocket || kind == ProbeBody::Kind::bore;
 }
 
+/// What an entry of machine files holds of a body, in order, and what that is; for people.
+std::string_view probe_body_form(ProbeBody::Kind kind);
+
 /// What base::Subject calls bodies of each kind, in the order of ProbeBody::Kind; entries count within a kind.
 inline constexpr std::array<std::string_view, 5> probe_body_fields = {"probe boxes", "probe pockets", "probe spheres",
                                                                       "probe cylinders", "probe bores"};
