@@ -158,6 +158,23 @@ TEST(Probe, IsRefusedWhereABodyIsNone) {
     EXPECT_EQ(problems_of(one_axis + "[probe]\n" + row.text + "\n"), row.problems) << row.text;
 }
 
+/// Entries that are no numbers, and numbers that are no body, are answered with the same form.
+TEST(Probe, TellsTheFormOfABodyInOneWay) {
+  using Kind = machine::ProbeBody::Kind;
+  for (const Kind kind : {Kind::box, Kind::pocket, Kind::sphere, Kind::cylinder, Kind::bore}) {
+    const std::string key(probe_body_keys[static_cast<std::size_t>(kind)]);
+    const std::string none = kind == Kind::sphere                         ? "[0, 0, 0, -1]"
+                             : kind == Kind::box || kind == Kind::pocket ? "[0, 0, 0, 1, 1, -1]"
+                                                                          : "[0, 0, 0, 0, 0, 0, 1]";
+    const auto read = read_machine(one_axis + "[probe]\n" + key + " = [[1], " + none + "]\n", "m");
+    ASSERT_FALSE(read) << key;
+    ASSERT_EQ(read.error().size(), 2u) << key;
+    EXPECT_NE(read.error()[0].code, read.error()[1].code) << key;
+    for (const base::Diagnostic& each : read.error())
+      EXPECT_NE(each.hint.find(machine::probe_body_form(kind)), std::string::npos) << key << ": " << each.hint;
+  }
+}
+
 TEST(Probe, IsRefusedWhereItIsWrong) {
   EXPECT_EQ(problems_of("probe = 5\n" + one_axis), Texts{"1:9 machine-type"});
   EXPECT_EQ(problems_of(one_axis + "[probe]\nplane = 5\n"), Texts{"8:1 machine-key"});
