@@ -69,6 +69,43 @@ TEST(SpindleOrientation, IsWaitedFor) {
 }
 
 // LinuxCNC manual, "M66 Wait on Input": of an input that is always off.
+// What rs274 of LinuxCNC 2.9 with one spindle accepts; the fraction of a number counts nothing there.
+TEST(SpindleNumber, OfTheOneSpindleIsRead) {
+  for (const Dialect dialect : {Dialect::leadscrew, Dialect::linuxcnc}) {
+    for (const char* const block :
+         {"S200 $0", "S200 $-1", "M3 $0", "M4 $-1", "M5 $0 (stop)", "M5 $-1", "M19 R10 $0", "M3 S1 $0.9",
+          "M3 S1 $ [1-1]", "G96 S100 D100 $0", "G97 S100 $0", "G97 S100 M3 $0", "G33 Z-1 K1 $0", "G33.1 Z-1 K1 $0",
+          "M51 P0 $0", "G18 G76 P1 Z-1 I-.1 J.1 K.3 $0", "G33 Z-1 K1\nZ-2 K1 $0", "#1=0\nM5 $#1"}) {
+      EXPECT_EQ(read("G0 X20 Z5\nS100 M3\n" + std::string(block) + "\nM2\n", in_dialect(dialect)).problems(), "")
+          << block;
+    }
+  }
+  EXPECT_EQ(told("S200 M3 $0\nM5 $-1\nM2\n"), told("S200 M3\nM5\nM2\n"));
+}
+
+TEST(SpindleNumber, OfNoSpindleIsRefused) {
+  const struct {
+    const char* block;
+    const char* problems;
+  } rows[] = {{"S200 $1", "3:6 spindle-number; "},
+              {"M3 $2", "3:4 spindle-number; "},
+              {"M5 $-2", "3:4 spindle-number; "},
+              {"M19 R10 $-1", "3:9 spindle-number; "},
+              {"G96 S100 $-1", "3:10 spindle-number; "},
+              {"G97 S100 M3 $-1", "3:13 spindle-number; "},
+              {"G33 Z-1 K1 $-1", "3:12 spindle-number; "},
+              {"G33 Z-1 K1 $1", "3:12 spindle-number; "},
+              {"G18 G76 P1 Z-1 I-.1 J.1 K.3 $1", "3:29 spindle-number; "},
+              {"M3 $0 S1 $0", "3:10 repeated-word; "},
+              {"M3 $2000000000", "3:4 bad-value; "},
+              {"G1 X1 F100 $0", "3:12 unused-word; "},
+              {"$0", "3:1 unused-word; "},
+              {"G95 F1 $0", "3:8 unused-word; "}};
+  for (const auto& row : rows)
+    EXPECT_EQ(read("G0 X20 Z5\nS100 M3\n" + std::string(row.block) + "\nM2\n").problems(), row.problems) << row.block;
+  EXPECT_EQ(read("S100 M3 $0\nM2\n", in_dialect(Dialect::fanuc)).problems(), "1:9 bad-character; ");
+}
+
 TEST(Inputs, AreOff) {
   EXPECT_EQ(answer("M66 P0 L0\nG0 X[5 + #5399]\nM2\n"), 5);
   EXPECT_EQ(answer("M66 P0 L1 Q1\nG0 X[5 + #5399]\nM2\n"), 4);

@@ -91,7 +91,7 @@ TEST(Examples, HoldTheirCode) {
 
 TEST(Words, OfEveryCodeHaveAMeaning) {
   for (const CodeRow& row : gcode::code_rows()) {
-    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    for (const char letter : gcode::word_marks) {
       if (!row.words.has(letter)) continue;
       EXPECT_NE(meaning_of(row.code, letter).meaning, "") << name(row.code) << " " << letter;
     }
@@ -120,6 +120,11 @@ TEST(Explanations, OfACodeAloneTellItsWordsAndAnExample) {
   for (const std::string_view part : {"rounds corners", "P_", "Q_", "such as", "G64 P0.02"}) {
     EXPECT_TRUE(has(text, part)) << part << "\n" << text;
   }
+}
+
+TEST(Explanations, TellWhichSpindle) {
+  EXPECT_TRUE(has(explained("M19 R90 $0"), "$0    which spindle"));
+  EXPECT_TRUE(has(explained("G33"), "$_    which spindle"));
 }
 
 TEST(Explanations, GoByTheDialect) {

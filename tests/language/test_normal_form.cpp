@@ -21,6 +21,8 @@ TEST(NormalForm, HasCapitalsBlanksAndShortNumbers) {
   EXPECT_EQ(normal_form("g38.20x+5.", Dialect::leadscrew), "G38.2 X5");
   EXPECT_EQ(normal_form("G1 X[#1 + 2] Y#<a b>(in)Z-sin[30]", Dialect::leadscrew),
             "G1 X[#1 + 2] Y#<a b> (in) Z-sin[30]");
+  EXPECT_EQ(normal_form("m3s100$ 0.", Dialect::linuxcnc), "M3 S100 $0");
+  EXPECT_EQ(normal_form("g0@01^[30*2]", Dialect::linuxcnc), "G0 @1 ^[30*2]");
   EXPECT_EQ(normal_form("", Dialect::leadscrew), "");
   EXPECT_EQ(normal_form("%", Dialect::leadscrew), "%");
 }

@@ -175,7 +175,7 @@ class Further:
 
     def per_revolution(self):
         self.inverse = False
-        self.block(f"S{self.random.randint(100, 3000)} {self.random.choice(['M3', 'M4', ''])}")
+        self.block(f"S{self.random.randint(100, 3000)} {self.random.choice(['M3', 'M4', ''])}", self.spindle(can_be_all=True))
         self.block("G95", f"F{self.random.uniform(0.01, 2):.3f}")
         self.line()
         if self.chance(0.7):
@@ -183,7 +183,7 @@ class Further:
 
     def surface(self):
         self.block("G96", f"D{self.random.randint(100, 5000)}" if self.chance(0.6) else "", f"S{self.random.randint(10, 300)}",
-                   self.random.choice(["M3", "M4", ""]))
+                   self.random.choice(["M3", "M4", ""]), self.spindle())
         self.line()
         if self.chance(0.8):
             self.block("G97", f"S{self.random.randint(100, 3000)}")

@@ -77,6 +77,10 @@ class Program(Further):
             text += self.random.choice([" (remark)", " ; remark"])
         self.lines.append(text)
 
+    def spindle(self, can_be_all=False):
+        """The word $, now and then: which spindle."""
+        return self.random.choice(["$0", "$ 0", "$[1-1]"] + ["$-1"] * can_be_all) if self.chance(0.06) else ""
+
     def feed(self):
         """The word F, where one is needed or wanted."""
         if self.inverse:
@@ -152,15 +156,15 @@ class Program(Further):
 
     def thread(self):
         """G33, G33.1 and G76, with the spindle turning; G0 behind them."""
-        self.block(self.random.choice(["M3", "M4"]), f"S{self.random.randint(20, 300)}")
+        self.block(self.random.choice(["M3", "M4"]), f"S{self.random.randint(20, 300)}", self.spindle(can_be_all=True))
         kind = self.random.randrange(3)
         if kind == 0:
             for _ in range(self.random.randint(1, 2)):
                 axes = [axis for axis in "XYZ" if self.chance(0.5)] or ["Z"]
-                self.block("G33", *(self.word(axis, self.value(-30, 30)) for axis in axes), self.word("K", self.value(0.2, 3)))
+                self.block("G33", *(self.word(axis, self.value(-30, 30)) for axis in axes), self.word("K", self.value(0.2, 3)), self.spindle())
         elif kind == 1:
             factor = f"I{self.random.uniform(0.5, 3):.2f}" if self.chance(0.4) else ""
-            self.block("G33.1", self.word("Z", self.value(-60, -31)), self.word("K", self.value(0.2, 3)), factor)
+            self.block("G33.1", self.word("Z", self.value(-60, -31)), self.word("K", self.value(0.2, 3)), factor, self.spindle())
         else:
             self.threading_cycle()
         self.block("G0", self.word("Z", self.value(31, 40)))
@@ -178,7 +182,7 @@ class Program(Further):
         words += [f"Q{self.random.choice([29, 29.5, 30, -15])}"] if self.chance(0.5) else []
         words += [f"H{self.random.randint(0, 2)}"] if self.chance(0.4) else []
         words += [self.word("E", self.value(0.2, 4)), f"L{self.random.randint(0, 3)}"] if self.chance(0.5) else []
-        self.block("G76", *words)
+        self.block("G76", *words, self.spindle())
         if halved:
             self.block("G8")
 
@@ -520,7 +524,7 @@ class Program(Further):
 
     WRONG = ["G1 X", "X1 X2", "G0 G1 X1", "G2 X3", "G17 G18", "G5.5", "G1 X1 Q3", "H", "G43 H99", "G10 L3 P1 X0", "G10 L2 P12 X0",
              "G53 G2 X1 I1", "G92", "G4", "G4 P-1", "#0=1", "#9999=2", "#<never_set>", "G0 X#<never_set>", "G0 X[1/0]",
-             "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M99.5", "G0 X1 (open", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
+             "G0 X[SQRT[-1]]", "G0 X[ACOS[2]]", "M3 M4", "M5 $1", "S100 $-2", "M19 R5 $-1", "G1 X1 F100 $0", "M99.5", "G0 X1 (open", "T-1", "S-5", "F-3", "G1 F0 X3", "G93 G1 X3",
              "G81 X1 R1", "G80 X1", "G92 X1 G0 Y2", "G91 G53 G0 X1", "G2 X1 Y1 R0.1", "G3 I0 J0", "G2 X5 I1 R3", "G81 Z-1 R2 L0", "M62",
              "G83 X1 Z-3 R1", "G82 X1 Z-3 R1", "G83 X1 Z-3 R1 Q-1", "G28.1 X1", "M6 T1.5", "M1000", "G0 X[1 + ]", "G0 X[2",
              "W1", "G0 Z1 G43 H1 G49", "G38.2", "D3", "G54 P3", "G90 G91", "%5", "G0.5", "X 1 2 3 Y4", "g1x1y2z3f5"]

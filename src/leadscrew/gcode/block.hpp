@@ -27,10 +27,10 @@ inline constexpr std::uint32_t axis_letter_bits = letter_bit('X') | letter_bit('
                                                   letter_bit('U') | letter_bit('V') | letter_bit('W');
 
 struct Block {
-  std::uint32_t words = 0;       ///< bits of the letters that stand in the block, other than G and M, and of @ ^
-  std::uint32_t groups = 0;      ///< bits of the groups of its codes
-  std::array<double, 28> value;  ///< of each word; meaningless without its bit
-  std::array<std::uint32_t, 28> column;  ///< of each word
+  std::uint32_t words = 0;   ///< bits of the letters that stand in the block, other than G and M, and of @ ^ $
+  std::uint32_t groups = 0;  ///< bits of the groups of its codes
+  std::array<double, word_marks.size()> value;          ///< of each word; meaningless without its bit
+  std::array<std::uint32_t, word_marks.size()> column;  ///< of each word
   std::array<Code, index(Group::count)> codes;
   std::array<std::uint32_t, index(Group::count)> code_columns;
   std::int16_t user_code =
@@ -40,9 +40,9 @@ struct Block {
   bool complete = true;             ///< the line was read to its end; otherwise words may be missing
 
   bool has(char letter) const { return words & letter_bit(letter); }
-  double operator[](char letter) const { return value[static_cast<std::size_t>(letter - 'A')]; }
+  double operator[](char letter) const { return value[mark_index(letter)]; }
   double value_or(char letter, double otherwise) const { return has(letter) ? (*this)[letter] : otherwise; }
-  std::uint32_t column_of(char letter) const { return column[static_cast<std::size_t>(letter - 'A')]; }
+  std::uint32_t column_of(char letter) const { return column[mark_index(letter)]; }
   bool has(Group group) const { return groups & bit(group); }
   /// The code of a group, or Code::none.
   Code code(Group group) const { return has(group) ? codes[index(group)] : Code::none; }

@@ -1,4 +1,5 @@
 #include <bit>
+#include <cmath>
 #include <leadscrew/gcode/block_check.hpp>
 #include <string>
 #include <vector>
@@ -10,7 +11,7 @@ namespace {
 // Letters that mean something only beside a code that takes them.
 constexpr std::uint32_t dependent_words = letter_bit('D') | letter_bit('E') | letter_bit('H') | letter_bit('I') |
                                           letter_bit('J') | letter_bit('K') | letter_bit('L') | letter_bit('P') |
-                                          letter_bit('Q') | letter_bit('R');
+                                          letter_bit('Q') | letter_bit('R') | letter_bit('$');
 
 constexpr std::uint32_t offset_letters = letter_bit('I') | letter_bit('J') | letter_bit('K');
 
@@ -164,9 +165,14 @@ void BlockCheck::check_words(const Block& block) {
     used |= words;
   };
   for_each_code(block, [&](Code code) { use(row(code).words_in(options_.dialect).bits); });
+  if (block.has('$')) {
+    if (block.has('S')) use(letter_bit('$'));
+    used_twice &= ~letter_bit('$');  // the spindle is one
+    if (used & letter_bit('$')) check_spindle(block);
+  }
   for (std::uint32_t rest = dependent & ~used; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
-    const char name = static_cast<char>('A' + letter);
+    const char name = word_marks[letter];
     std::string message = "nothing in this block takes ";
     message += name;
     const bool is_exponent = name == 'E' && follows_digit(block.column[letter]);
@@ -176,9 +182,24 @@ void BlockCheck::check_words(const Block& block) {
   for (std::uint32_t rest = dependent & used_twice; rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
     std::string message = "more than one code of this block takes ";
-    message += static_cast<char>('A' + letter);
+    message += word_marks[letter];
     error("ambiguous-word", block.column[letter], std::move(message), "put them into two blocks");
   }
+}
+
+/// Which spindle it is (LinuxCNC): the machine has one, number 0. -1 is all of them, for S and what turns and stops them.
+void BlockCheck::check_spindle(const Block& block) {
+  const double number = std::trunc(block['$']);  // as rs274 reads it
+  if (number == 0) return;
+  bool is_of_one = modal_.to_do != Code::none && row(modal_.to_do).words.has('$');
+  for_each_code(block, [&](Code code) {
+    is_of_one |= row(code).words.has('$') && row(code).group != Group::spindle;
+    is_of_one |= code == Code::M19;
+  });
+  if (number == -1 && !is_of_one) return;
+  error("spindle-number", block.column_of('$'),
+        number == -1 ? "$-1 is all spindles, and this is done by one" : "there is no spindle $" + text(block['$']),
+        "the machine has one spindle: $0, or no $");
 }
 
 void BlockCheck::check_axes(const Block& block) {
@@ -202,7 +223,7 @@ void BlockCheck::check_axes(const Block& block) {
 void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
   const std::uint32_t lacking = row(code).needs.bits & ~block.words;
   if (lacking == 0) return;
-  const char letter = static_cast<char>('A' + std::countr_zero(lacking));
+  const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
   error("missing-word", column, name(code) + " lacks " + letter, example_of(code));
 }
 
@@ -277,6 +298,7 @@ std::string BlockCheck::users_of(char letter) const {
     if (each.read && each.words_in(options_.dialect).has(letter) && each.dialects.has(options_.dialect))
       users.push_back(name(each.code));
   }
+  if (letter == '$') users.push_back("S");
   if (users.empty()) return "no supported code takes it";
   std::string text = std::string(1, letter) + " belongs to " + users.front();
   for (std::size_t i = 1; i < users.size(); ++i) text += (i + 1 < users.size() ? ", " : " and ") + users[i];

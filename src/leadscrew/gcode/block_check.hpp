@@ -20,6 +20,7 @@ class BlockCheck : Part {
   bool repeats_motion(const Block& block) const;
   std::uint32_t motion_words(const Block& block) const;
   void check_words(const Block& block);
+  [[gnu::cold]] void check_spindle(const Block& block);
   void check_axes(const Block& block);
   void check_presence(const Block& block);
   void check_threading(const Block& block);

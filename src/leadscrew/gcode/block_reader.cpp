@@ -10,7 +10,7 @@ namespace leadscrew::gcode {
 namespace {
 
 // What a character begins, where a word may begin.
-enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, polar, other };
+enum Class : std::uint8_t { first_letter = 0, last_letter = 25, blank, line_end, remark, parameter, mark, other };
 
 constexpr std::array<std::uint8_t, 256> make_classes() {
   std::array<std::uint8_t, 256> classes{};
@@ -20,7 +20,7 @@ constexpr std::array<std::uint8_t, 256> make_classes() {
   classes['\n'] = classes[';'] = line_end;
   classes['('] = remark;
   classes['#'] = parameter;
-  classes['@'] = classes['^'] = polar;
+  classes['@'] = classes['^'] = classes['$'] = mark;
   return classes;
 }
 constexpr std::array<std::uint8_t, 256> classes = make_classes();
@@ -83,10 +83,10 @@ bool BlockReader::read(const TextLine& line, Block& block) {
       if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
       any = true;
       in_step = assignment(p);
-    } else if (kind == polar) {
+    } else if (kind == mark && (*p != '$' || begins_spindle_number(p))) {
       if (!any) block.first_column = static_cast<std::uint32_t>(p - line.begin) + 1;
       any = true;
-      in_step = polar_word(p, block);
+      in_step = marked_word(p, block);
     } else {
       in_step = other(p, line);
     }
@@ -118,9 +118,19 @@ bool BlockReader::word(const char*& p, unsigned letter, Block& block) {
   return true;
 }
 
-bool BlockReader::polar_word(const char*& p, Block& block) {
+bool BlockReader::has_marked_words() const {
+  return dialect_ == Dialect::leadscrew || dialect_ == Dialect::linuxcnc;
+}
+
+bool BlockReader::begins_spindle_number(const char* p) const {
+  if (!has_marked_words()) return false;
+  skip_blanks(++p);
+  return *p != 0 && std::strchr("+-.#[0123456789", *p) != nullptr;
+}
+
+bool BlockReader::marked_word(const char*& p, Block& block) {
   const char* const begin = p++;
-  if (dialect_ != Dialect::leadscrew && dialect_ != Dialect::linuxcnc) {
+  if (!has_marked_words()) {
     return reporter_.error("bad-character", reporter_.column(begin),
                            shown(*begin) + " is not of dialect " + std::string(name(dialect_)),
                            "polar words are known by --dialect leadscrew and linuxcnc");
@@ -128,7 +138,7 @@ bool BlockReader::polar_word(const char*& p, Block& block) {
   double value = 0;
   if (!values_.value(p, value)) return false;
   const auto column = static_cast<std::uint32_t>(reporter_.column(begin));
-  const std::size_t i = *begin == '@' ? polar_distance : polar_angle;
+  const std::size_t i = word_marks.find(*begin);
   const std::uint32_t bit = std::uint32_t{1} << i;
   if (std::isnan(value)) return true;
   if (!(std::fabs(value) <= largest_value)) {

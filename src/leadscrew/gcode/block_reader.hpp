@@ -31,7 +31,10 @@ class BlockReader {
   };
 
   bool word(const char*& p, unsigned letter, Block& block);
-  [[gnu::cold]] bool polar_word(const char*& p, Block& block);
+  /// Whether the dialect has polar words, and `$`, which spindle it is (LinuxCNC).
+  bool has_marked_words() const;
+  [[gnu::cold]] bool begins_spindle_number(const char* p) const;
+  [[gnu::cold]] bool marked_word(const char*& p, Block& block);
   bool g_word(double value, std::uint32_t column, Block& block);
   bool code_word(char letter, Code code, double value, std::uint32_t column, Block& block);
   bool m_word(double value, std::uint32_t column, Block& block);

@@ -7,14 +7,24 @@
 #include <leadscrew/gcode/dialect.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace leadscrew::gcode {
 
+/// What begins a word, in the order of the bits of Letters: letters, `@` and `^` of polar words, `$` of a spindle's number.
+inline constexpr std::string_view word_marks = "ABCDEFGHIJKLMNOPQRSTUVWXYZ@^$";
+
+/// Where a letter, or '$', stands among them.
+constexpr std::size_t mark_index(char letter) {
+  return letter == '$' ? 28 : static_cast<std::size_t>(letter - 'A');
+}
+static_assert(word_marks[mark_index('Z')] == 'Z' && word_marks[mark_index('$')] == '$');
+
 constexpr std::uint32_t letter_bit(char letter) {
-  return std::uint32_t{1} << (letter - 'A');
+  return std::uint32_t{1} << mark_index(letter);
 }
 
-/// A set of letters, written as text: "IJK".
+/// A set of letters, and of '$', written as text: "IJK$".
 struct Letters {
   std::uint32_t bits = 0;
 

@@ -142,7 +142,7 @@ void Interpreter::execute_surface(const Block& words) {
   block.words &= ~own;
   for (std::uint32_t rest = block.words & (axis_letter_bits | polar_bits); rest != 0; rest &= rest - 1) {
     const auto letter = static_cast<unsigned>(std::countr_zero(rest));
-    const char shown = letter == polar_distance ? '@' : letter == polar_angle ? '^' : static_cast<char>('A' + letter);
+    const char shown = word_marks[letter];
     error("unused-word", block.column[letter], name(code) + " does not take " + shown, "put it into another block");
   }
   if (block.has(Group::motion) && !block.is(Code::G80)) {

@@ -50,7 +50,7 @@ std::string example_text(std::string_view text) {
 
 std::string words_of(const CodeRow& row) {
   std::string text;
-  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+  for (const char letter : gcode::word_marks) {
     if (!takes(row.code, letter)) continue;
     const WordMeaning meaning = meaning_of(row.code, letter);
     const std::string_view mark = row.needs.has(letter) ? "**" : "";

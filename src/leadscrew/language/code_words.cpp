@@ -11,6 +11,8 @@ constexpr std::string_view length = "mm or inches", seconds = "s", degrees = "de
 constexpr std::string_view tool_vector =
     "part of the tool's direction, from the tip to the spindle; of any length, without all three the last one holds";
 
+constexpr std::string_view one_spindle = "which spindle: 0, the one that there is";
+
 // Of the codes from the first to the last in the order of gcode::Code; the first row that fits holds.
 struct Row {
   Code first, last;
@@ -38,6 +40,12 @@ constexpr Row rows[] = {
     {Code::G6_2, Code::G6_2, 'R', "weight of the control point, above 0", number},
     {Code::G33, Code::G33_1, 'K', "travel in a revolution of the spindle; G33 of fanuc and haas: F", length},
     {Code::G33_1, Code::G33_1, 'I', "how much faster the tool leaves than it enters", number},
+    {Code::G33, Code::G33_1, '$', one_spindle, number},
+    {Code::G76, Code::G76, '$', one_spindle, number},
+    {Code::G96, Code::G97, '$', one_spindle, number},
+    {Code::M19, Code::M19, '$', one_spindle, number},
+    {Code::M51, Code::M51, '$', one_spindle, number},
+    {Code::M3, Code::M5, '$', "which spindle: 0, the one that there is, or -1, all", number},
     {Code::G76, Code::G76, 'P', "pitch of the thread", length},
     {Code::G76, Code::G76, 'I', "crest of the thread, from the drive line; negative outside", length},
     {Code::G76, Code::G76, 'J', "depth of the first cut", length},
@@ -228,6 +236,8 @@ WordMeaning meaning_alone(char letter) {
       return {"tool that M6 changes to", number};
     case 'N':
       return {"number of the block", number};
+    case '$':
+      return {"which spindle: 0, the one that there is, or -1, all", number};
     case 'O':
       return {"number of a program, or of a subprogram or loop", number};
     default:

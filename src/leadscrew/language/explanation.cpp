@@ -152,7 +152,7 @@ class Explanation {
 
   static std::string alone(const CodeRow& row) {
     std::string text;
-    for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    for (const char letter : gcode::word_marks) {
       if (takes(row.code, letter)) text += word_line(letter, {}, meaning_of(row.code, letter));
     }
     std::string_view rest = example_of(row.code);

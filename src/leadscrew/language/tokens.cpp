@@ -35,7 +35,7 @@ class Scanner {
         take(Token::Kind::remark, line_.size());
       } else if (begins && is_statement()) {
         take(Token::Kind::statement, before_remark());
-      } else if (is_capital(c)) {
+      } else if (is_capital(c) || is_mark()) {
         word();
         begins = begins && c == 'N';
         continue;
@@ -87,6 +87,14 @@ class Scanner {
       if (begins_with(word)) return true;
     }
     return false;
+  }
+
+  /// Polar words and the number of a spindle; not commands to a controller, such as "$H".
+  bool is_mark() const {
+    if (peek() != '@' && peek() != '^' && peek() != '$') return false;
+    std::size_t ahead = 1;
+    while (is_space(peek(ahead))) ++ahead;
+    return std::string_view("+-.#[0123456789").find(peek(ahead)) != std::string_view::npos;
   }
 
   void word() {
