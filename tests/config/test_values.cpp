@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <leadscrew/config/machine_keys.hpp>
 #include <set>
 
@@ -158,14 +159,54 @@ TEST(Probe, IsRefusedWhereABodyIsNone) {
     EXPECT_EQ(problems_of(one_axis + "[probe]\n" + row.text + "\n"), row.problems) << row.text;
 }
 
+std::string file_of(const std::string& name, const std::string& text) {
+  const std::string path = ::testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Probe, TouchesTheSurfacesOfAFile) {
+  file_of("probe_face.ngc", "G6.4 D1 P2 Q2 I3 J2\nX0 Y0 Z0\nX5 Z1\nX10 Z0\nX0 Y8\nX5 Z1 R2\nX10 Z0\n");
+  const std::string text = one_axis + "[probe]\nsurface = \"probe_face.ngc\"\nsurface_at_mm = [100, 0, -20]\n";
+  const auto read = read_machine(text, ::testing::TempDir() + "m.toml");
+  ASSERT_TRUE(read) << read.error()[0].message;
+  ASSERT_TRUE(read->probe);
+  ASSERT_EQ(read->probe->patches.size(), 2u);
+  const machine::ProbePatch& second = read->probe->patches[1];
+  EXPECT_EQ(second.degree, (std::array<int, 2>{1, 1}));
+  EXPECT_EQ(second.net, (std::vector<std::array<double, 4>>{
+                            {105, 0, -19, 1}, {110, 0, -20, 1}, {105, 8, -19, 2}, {110, 8, -20, 1}}));
+}
+
+TEST(Probe, TellsWhyAFileIsNoSurface) {
+  const std::string none = file_of("probe_none.ngc", "G0 X1\nM2\n");
+  const std::string wrong = file_of("probe_wrong.ngc", "G6.4 D1 P2 Q2 I2 J2\nX0 Y0 Z0\nX1\nX0 Y1 R-1\nX1 Y1\n");
+  const auto problem = [](const std::string& lines) {
+    const auto read = read_machine(one_axis + "[probe]\n" + lines + "\n", "m.toml");
+    if (read || read.error().size() != 1) return std::string();
+    const base::Diagnostic& first = read.error()[0];
+    return std::to_string(first.place.line) + ":" + std::to_string(first.place.column) + " " + std::string(first.code) +
+           " " + first.message;
+  };
+  const auto says = [&](const std::string& lines, const std::string& head, const std::string& part) {
+    const std::string text = problem(lines);
+    EXPECT_TRUE(text.starts_with(head) && text.find(part) != std::string::npos) << text;
+  };
+  says("surface = \"/nowhere/face.ngc\"", "8:11 machine-probe-surface", "cannot open");
+  says("surface = \"" + none + "\"", "8:11 machine-probe-surface", "defines no surface");
+  says("surface = \"" + wrong + "\"", "8:11 machine-probe-surface", "line 4: ");
+  says("surface = 5", "8:11 machine-type", "not a file");
+  says("surface_at_mm = [1, 2]", "8:17 machine-type", "not a place");
+}
+
 /// Entries that are no numbers, and numbers that are no body, are answered with the same form.
 TEST(Probe, TellsTheFormOfABodyInOneWay) {
   using Kind = machine::ProbeBody::Kind;
   for (const Kind kind : {Kind::box, Kind::pocket, Kind::sphere, Kind::cylinder, Kind::bore}) {
     const std::string key(probe_body_keys[static_cast<std::size_t>(kind)]);
-    const std::string none = kind == Kind::sphere                         ? "[0, 0, 0, -1]"
+    const std::string none = kind == Kind::sphere                        ? "[0, 0, 0, -1]"
                              : kind == Kind::box || kind == Kind::pocket ? "[0, 0, 0, 1, 1, -1]"
-                                                                          : "[0, 0, 0, 0, 0, 0, 1]";
+                                                                         : "[0, 0, 0, 0, 0, 0, 1]";
     const auto read = read_machine(one_axis + "[probe]\n" + key + " = [[1], " + none + "]\n", "m");
     ASSERT_FALSE(read) << key;
     ASSERT_EQ(read.error().size(), 2u) << key;

@@ -540,6 +540,7 @@ EXAMPLES = {
     "proportional_per_mm": "1.25", "command_limit": "24", "breakaway_mm_s2": "1",
     "encoder_counts_per_mm": "1000", "plane_mm": "{}",
     "box_mm": "[[0, 0, -20, 60, 40, 0]]", "pocket_mm": "[[10, 10, -5, 30, 30, 1]]", "sphere_mm": "[[0, 0, -20, 12]]",
+    "surface": '"face.ngc"', "surface_at_mm": "[0, 0, -20]",
     "cylinder_mm": "[[0, 0, -20, 0, 0, 0, 12]]", "bore_mm": "[[50, 20, -10, 50, 20, 1, 5]]"}
 
 
@@ -561,6 +562,7 @@ def machine_text(rows, without=None, rotary=False):
 
 def check_machine_files():
     rows = table("keys", "machine")
+    (scratch / "face.ngc").write_text("G6.4 D1 P2 Q2 I2 J2\nX0 Y0 Z0\nX60\nX0 Y40\nX60 Z1\n")
     (scratch / "all.toml").write_text(machine_text(rows))
     run("check", "fast.ngc", "--machine", "all.toml", "--quiet")
     (scratch / "still.ngc").write_text("G21\nM2\n")

@@ -10,6 +10,7 @@
 #include <leadscrew/config/machine_file.hpp>
 #include <leadscrew/config/machine_keys.hpp>
 #include <leadscrew/config/probe_keys.hpp>
+#include <leadscrew/config/probe_surface.hpp>
 #include <leadscrew/config/rotary_keys.hpp>
 #include <leadscrew/config/screw_keys.hpp>
 #include <leadscrew/config/spindle_keys.hpp>
@@ -167,6 +168,7 @@ class MachineReader {
     const toml::table* table = section(root, "probe", "probe", probe_keys);
     if (table == nullptr) return;
     machine::Probe& probe = machine_.probe.emplace(machine::Probe{.bodies = read_probe_bodies(*table, told())});
+    probe.patches = read_probe_surface(*table, file_, told());
     const toml::table* planes = section(*table, probe_planes_key, "probe.plane_mm", linear_axis_names);
     if (planes == nullptr) return;
     for (const std::string_view name : linear_axis_names) {

@@ -121,13 +121,17 @@ std::string_view axis_key_of(base::Axis axis, std::string_view field);
 inline constexpr std::array<std::string_view, 3> laser_keys = {"power", "output", "follow_feed"};
 inline constexpr std::array<std::string_view, 2> laser_powers = {"M67", "S"};
 
-/// Of [probe]: planes, the axes that they may be of, and bodies in the order of machine::ProbeBody::Kind.
+/// Of [probe]: planes, the axes that they may be of, a surface and where it lies, and bodies in the order of
+/// machine::ProbeBody::Kind.
 inline constexpr std::string_view probe_planes_key = "plane_mm";
+inline constexpr std::string_view probe_surface_key = "surface";
+inline constexpr std::string_view probe_surface_at_key = "surface_at_mm";
 inline constexpr std::array<std::string_view, 5> probe_body_keys = {"box_mm", "pocket_mm", "sphere_mm", "cylinder_mm",
                                                                     "bore_mm"};
 inline constexpr auto probe_keys = [] {
-  std::array<std::string_view, 1 + probe_body_keys.size()> keys = {probe_planes_key};
-  for (std::size_t k = 0; k < probe_body_keys.size(); ++k) keys[1 + k] = probe_body_keys[k];
+  std::array<std::string_view, 3 + probe_body_keys.size()> keys = {probe_planes_key, probe_surface_key,
+                                                                   probe_surface_at_key};
+  for (std::size_t k = 0; k < probe_body_keys.size(); ++k) keys[3 + k] = probe_body_keys[k];
   return keys;
 }();
 inline constexpr std::array<std::string_view, 6> linear_axis_names = {"X", "Y", "Z", "U", "V", "W"};

@@ -75,6 +75,7 @@ class Interpreter : Part {
   [[gnu::cold]] void end_contour();
   /// Of the move handed out last.
   const MachinedMove& machined() const { return surface_moves_.machined(); }
+  std::vector<std::shared_ptr<const surfaces::SurfaceForm>> surfaces() const { return surface_blocks_.all(); }
   /// How the probing move of the block executed last has ended.
   void probed(const Probed& result) { probing_.probed(result); }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/gcode/patch_meeting.hpp>
 #include <leadscrew/gcode/probe_contact.hpp>
 #include <leadscrew/numeric/vectors.hpp>
 #include <limits>
@@ -54,7 +55,7 @@ void cross_round(const Vector& m, const Vector& d, double radius, const auto& ad
 
 }  // namespace
 
-double ProbeContact::gap(const base::AxisVector& position) const {
+ProbeContact::Gap ProbeContact::gap(const base::AxisVector& position) const {
   double material = std::numeric_limits<double>::infinity(), cut = -material;
   for (std::size_t i = 0; i < base::axis_count; ++i) {
     if (probe_.planes[i]) material = std::min(material, position[i] - tool_[i] - *probe_.planes[i]);
@@ -69,7 +70,16 @@ double ProbeContact::gap(const base::AxisVector& position) const {
       material = std::min(material, distance);
     }
   }
-  return std::max(material, cut);
+  return {material, cut};
+}
+
+bool ProbeContact::touches(const base::AxisVector& position) const {
+  const Gap to = gap(position);
+  if (to.cut > contact_rounding) return false;
+  if (to.material <= contact_rounding) return true;
+  return !probe_.patches.empty() &&
+         is_near_patch(probe_.patches, numeric::difference(first_three(position), first_three(tool_)),
+                       contact_rounding);
 }
 
 void ProbeContact::cross_plane(const Line& line, std::size_t axis, double plane, std::vector<Crossing>& found) const {
@@ -121,6 +131,16 @@ base::AxisVector ProbeContact::at(const Line& line, double share) const {
   return numeric::sum(line.start, share, numeric::difference(line.target, line.start));
 }
 
+// Where nothing else begins or ends between.
+std::optional<base::AxisVector> ProbeContact::patch_between(const Line& line, double begin, double end) const {
+  if (probe_.patches.empty() || gap(at(line, (begin + end) / 2)).cut > contact_rounding) return std::nullopt;
+  const base::AxisVector from = at(line, begin), to = at(line, end);
+  const Vector tool = first_three(tool_);
+  const auto share = first_meeting(probe_.patches, numeric::difference(first_three(from), tool),
+                                   numeric::difference(first_three(to), tool));
+  return share ? std::optional(at({from, to}, *share)) : std::nullopt;
+}
+
 std::optional<base::AxisVector> ProbeContact::change(const Line& line, bool to_contact) const {
   double longest = 0;  // way of an axis
   for (std::size_t i = 0; i < base::axis_count; ++i)
@@ -132,6 +152,9 @@ std::optional<base::AxisVector> ProbeContact::change(const Line& line, bool to_c
     // Of two places: a line that passes a sphere within rounding may touch it at one.
     const bool is_inside =
         touches(at(line, begin + 0.25 * (end - begin))) && touches(at(line, begin + 0.75 * (end - begin)));
+    if (to_contact && !is_inside) {
+      if (const auto place = patch_between(line, begin, end)) return place;
+    }
     if (is_inside != to_contact) continue;
     base::AxisVector place = begin > 0 ? at(line, begin) : line.start;
     const std::size_t axis = found[k].axis;

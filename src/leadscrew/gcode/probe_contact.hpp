@@ -1,10 +1,12 @@
 #pragma once
 // Where along a line the simulated probe (machine::Probe) comes into contact, or loses it.
 //
-//     material = (planes ∪ boxes ∪ spheres ∪ cylinders) \ (pockets ∪ bores)
+//     material = (planes ∪ boxes ∪ spheres ∪ cylinders ∪ patches) \ (pockets ∪ bores)
 //
 //     start ───o──────x━━━━━━━x──────x━━━━━━━━━x───── target      each x: a face of some body, in closed form;
 //                     enters  leaves                              between two of them the state is one
+//
+// Patches have no thickness: between two faces the line is asked where it first meets one (patch_meeting.hpp).
 //
 // A line that touches a body in one point, or passes less of it than 4e-9 mm, passes by.
 
@@ -25,7 +27,7 @@ class ProbeContact {
   ProbeContact(const machine::Probe& probe, const base::AxisVector& tool) : probe_(probe), tool_(tool) {}
 
   /// Do axes that stand there touch?
-  bool touches(const base::AxisVector& position) const { return gap(position) <= contact_rounding; }
+  bool touches(const base::AxisVector& position) const;
 
   /// Where on the line from `start` to `target` the probe first is in contact, or out of it, seen from the other state. Empty
   /// where that is so nowhere. On faces across an axis that axis' coordinate is exact, elsewhere within rounding.
@@ -45,7 +47,12 @@ class ProbeContact {
     base::AxisVector start, target;
   };
 
-  double gap(const base::AxisVector& position) const;
+  /// How far a point is outside of planes and solid bodies, and inside of what is cut out, mm.
+  struct Gap {
+    double material = 0, cut = 0;
+  };
+  Gap gap(const base::AxisVector& position) const;
+  std::optional<base::AxisVector> patch_between(const Line& line, double begin, double end) const;
   std::optional<base::AxisVector> change(const Line& line, bool to_contact) const;
   std::vector<Crossing> crossings(const Line& line) const;
   void cross_plane(const Line& line, std::size_t axis, double plane, std::vector<Crossing>& found) const;

@@ -98,6 +98,7 @@ class Reader::Implementation {
   int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
   const ModalState& modal() const { return modal_; }
   const MachinedMove& machined() const { return interpreter_.machined(); }
+  std::vector<std::shared_ptr<const surfaces::SurfaceForm>> surfaces() const { return interpreter_.surfaces(); }
   std::int64_t blocks() const { return blocks_; }
   std::int64_t errors() const { return reporter_.errors(); }
   const std::optional<base::Diagnostic>& source_failure() const {
@@ -354,6 +355,9 @@ const ModalState& Reader::modal() const {
 }
 const MachinedMove& Reader::machined() const {
   return implementation_->machined();
+}
+std::vector<std::shared_ptr<const surfaces::SurfaceForm>> Reader::surfaces() const {
+  return implementation_->surfaces();
 }
 std::int64_t Reader::blocks() const {
   return implementation_->blocks();

@@ -62,8 +62,9 @@
 #include <vector>
 
 namespace leadscrew::surfaces {
-class Passes;      // passes.hpp
-class PassSource;  // passes.hpp
+class Passes;        // passes.hpp
+class PassSource;    // passes.hpp
+struct SurfaceForm;  // surface.hpp
 }  // namespace leadscrew::surfaces
 
 namespace leadscrew::gcode {
@@ -168,6 +169,9 @@ class Reader {
 
   /// Of the move handed out last: the surface that it machines.
   const MachinedMove& machined() const;
+
+  /// The surfaces that G6.4 has defined so far and that have no fault, by their numbers; mm, in the program's coordinates.
+  std::vector<std::shared_ptr<const surfaces::SurfaceForm>> surfaces() const;
 
   std::int64_t blocks() const;  ///< blocks read so far: lines that hold at least one word
   std::int64_t errors() const;  ///< diagnostics of severity error so far

@@ -217,4 +217,12 @@ std::shared_ptr<const surfaces::SurfaceForm> SurfaceBlocks::find(int number) con
   return found == surfaces_.end() ? nullptr : found->second;
 }
 
+std::vector<std::shared_ptr<const surfaces::SurfaceForm>> SurfaceBlocks::all() const {
+  std::vector<std::shared_ptr<const surfaces::SurfaceForm>> forms;
+  for (const auto& [number, form] : surfaces_) {
+    if (form != nullptr) forms.push_back(form);
+  }
+  return forms;
+}
+
 }  // namespace leadscrew::gcode

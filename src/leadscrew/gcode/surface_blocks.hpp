@@ -37,6 +37,8 @@ class SurfaceBlocks : Part {
 
   /// In the program's coordinates, mm; null where there is none of this number.
   std::shared_ptr<const surfaces::SurfaceForm> find(int number) const;
+  /// All that have no fault, by their numbers.
+  std::vector<std::shared_ptr<const surfaces::SurfaceForm>> all() const;
   /// Has a problem with its definition been reported?
   bool is_spoiled(int number) const { return surfaces_.contains(number) && !surfaces_.at(number); }
 

@@ -46,6 +46,24 @@ std::string numbers(const ProbeBody& body) {
          (is_round ? ", " + base::text(body.radius) : "") + "]";
 }
 
+bool is_sound(const ProbePatch& patch) {
+  const auto [p, q] = patch.degree;
+  if (p < 1 || p > 5 || q < 1 || q > 5 || patch.net.size() != static_cast<std::size_t>((p + 1) * (q + 1))) return false;
+  return std::ranges::all_of(patch.net, [](const std::array<double, 4>& point) {
+    return std::ranges::all_of(point, [](double value) { return std::isfinite(value); }) && point[3] > 0;
+  });
+}
+
+void check_patches(const Machine& machine, std::vector<base::Diagnostic>& problems) {
+  const std::vector<ProbePatch>& patches = machine.probe->patches;
+  for (std::size_t k = 0; k < patches.size(); ++k) {
+    if (is_sound(patches[k])) continue;
+    problems.push_back(base::problem("machine-probe", "patch " + std::to_string(k + 1) + " of the probe is none",
+                                     "degrees of 1 to 5, as many points as they say, finite, weights above 0",
+                                     {.field = probe_patch_field, .entry = k}));
+  }
+}
+
 /// What its extent must be, and an example.
 constexpr const char* extent_of(Kind kind) {
   switch (kind) {
@@ -79,6 +97,7 @@ std::string_view probe_body_form(Kind kind) {
 
 void check_probe(const Machine& machine, std::vector<base::Diagnostic>& problems) {
   for (const base::Axis axis : base::all_axes) check_plane(machine, axis, problems);
+  check_patches(machine, problems);
   std::array<std::size_t, probe_body_fields.size()> entries{};
   for (const ProbeBody& body : machine.probe->bodies) {
     const auto kind = static_cast<std::size_t>(body.kind);
