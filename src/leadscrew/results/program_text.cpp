@@ -31,6 +31,20 @@ std::string feed_text(double programmed_mm_s, double max_ratio) {
   return fmt::format("programmed up to {:g} mm/min, reached {:.1f} % of it", programmed_mm_s * 60, max_ratio * 100);
 }
 
+/// Of words that were made, of lines in step with the spindle too: the referee asks no feed of these.
+std::string feed_text(const pipeline::Summary& summary, double max_ratio) {
+  if (summary.threads.lines == 0 || max_ratio > 0) return feed_text(summary.feed_programmed_max, max_ratio);
+  return fmt::format("in step with the spindle alone, by S up to {:g} mm/min", summary.feed_programmed_max * 60);
+}
+
+std::string threads_text(const interpolator::ThreadFigures& threads) {
+  std::string text = counted(threads.lines, "line") + " in step with the spindle";
+  if (threads.run_in > 0)
+    text += fmt::format(", at the latest {:.3f} mm behind the beginning: {}", threads.run_in,
+                        line_text(threads.run_in_line));
+  return text;
+}
+
 std::string axis_table(const referee::Verdict& verdict, const constraints::LimitRatios* plan, const Style& style) {
   std::string text = style(
       Tone::faint, plan == nullptr
@@ -173,7 +187,8 @@ std::string run_summary(const std::string& program, const machine::Machine& mach
   text += row("length", fmt::format("{:.3f} mm: {}, {}", summary.length_mm, counted(summary.blocks, "block"),
                                     counted(summary.moves, "move")));
   text += row("words", fmt::format("{}", summary.words));
-  text += row("feed", feed_text(summary.feed_programmed_max, verdict.feed_max_ratio));
+  text += row("feed", feed_text(summary, verdict.feed_max_ratio));
+  if (summary.threads.lines > 0) text += row("threads", threads_text(summary.threads));
   text += row("deviation", deviation_text(verdict.deviation_mm, summary.tolerance_mm));
   text += tip_row(verdict);
   text += axis_table(verdict, &summary.plan, style) + path_limits_text(summary.plan, style);
