@@ -46,13 +46,14 @@ void SpeedIterate::step_back(const SpeedProblem& problem, std::span<const double
 }
 
 BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal,
-                             SpeedIterate& iterate, bool weighs_caps)
+                             SpeedIterate& iterate, Ways ways)
     : problem_(problem),
       bounds_(bounds),
       goal_(goal),
       kernel_(barrier_kernel()),
       iterate_(iterate),
       floors_(goal.floors),
+      ways_(ways),
       inequalities_(static_cast<double>(problem.inequalities())) {
   const std::size_t n = problem.intervals();
   floors_.resize(n + 3, 0.0);
@@ -80,7 +81,7 @@ BarrierSolver::BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bou
   cap_duals_.resize(n + 3);
   models_.resize(n);
   terms_.factors.resize(terms_.sites.size());
-  if (weighs_caps) weigh_caps();
+  if (ways.weighs_caps) weigh_caps();
 }
 
 void BarrierSolver::weigh_caps() {
@@ -117,7 +118,7 @@ double BarrierSolver::begin(double gap) {
 
 /// For the next stage, with the multipliers.
 double BarrierSolver::grown(double t, double most) {
-  const double factor = std::min(tuning::barrier::growth, most);
+  const double factor = std::min(ways_.is_of_least_time ? tuning::least_time::growth : tuning::barrier::growth, most);
   is_first_ = false;
   for (std::vector<Lanes>* const part : {&duals_.rows, &duals_.places}) {
     for (Lanes& lanes : *part) {
@@ -136,9 +137,14 @@ double BarrierSolver::follow(double t) {
   const double share = is_first_ ? negligible_first : weights_.empty() ? negligible : negligible_where_weighed;
   find_factors();
   Step at = measure(iterate_.coefficients(), t, values_);
+  is_lost_ = false;
+  double first = 0;
   for (int step = 0; step < 25; ++step) {
     double decrement = 0;
     if (!newton(t, at, decrement) || decrement < share * inequalities_) break;
+    if (step == 0) first = decrement;
+    is_lost_ = ways_.is_of_least_time && !is_first_ && decrement > std::max(lost * inequalities_, times_first * first);
+    if (is_lost_ && !was_lost_) break;
   }
   return at.objective;
 }

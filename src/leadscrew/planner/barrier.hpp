@@ -13,6 +13,7 @@
 #include <leadscrew/planner/barrier_kernels.hpp>
 #include <leadscrew/planner/speed_bounds.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
+#include <leadscrew/planner/tuning.hpp>
 #include <span>
 #include <vector>
 
@@ -43,11 +44,16 @@ class SpeedIterate {
 /// between stages.
 class BarrierSolver {
  public:
-  /// `weighs_caps`: caps of intervals that are passed in less than the mean of their times, and caps and floors of the
-  /// coefficients there, weigh as much less in the barrier. All the same, they would keep x the farther off the cap the
-  /// closer knots lie.
+  struct Ways {
+    /// Caps of intervals that are passed in less than the mean of their times, and caps and floors of the coefficients there,
+    /// weigh as much less in the barrier. All the same, they would keep x the farther off the cap the closer knots lie.
+    bool weighs_caps = false;
+    /// Along a path of least time: t grows slower, and where a stage loses the optimum that was followed, the next one is
+    /// sought from far inside.
+    bool is_of_least_time = false;
+  };
   BarrierSolver(const SpeedProblem& problem, const SpeedBounds& bounds, const SpeedGoal& goal, SpeedIterate& iterate,
-                bool weighs_caps);
+                Ways ways);
 
   /// From `first_gap` of the objective, relative, to within `gap` of the optimum. stage_ended(left) is called after every
   /// stage but the last, `left` of the objective from it.
@@ -56,6 +62,11 @@ class BarrierSolver {
     double t = begin(first_gap);
     for (int stage = 0; stage < most_stages; ++stage) {
       const double left = inequalities_ / t / follow(t);
+      if (is_lost_ && !was_lost_) {
+        was_lost_ = true;
+        t = begin(tuning::barrier::found_again);
+        continue;
+      }
       if (left < gap) break;
       stage_ended(left);
       t = grown(t, 1.01 * left / gap);
@@ -105,6 +116,7 @@ class BarrierSolver {
   SpeedIterate trial_;
   std::vector<double> floors_;
   std::vector<std::uint8_t> weights_;  ///< of the coefficients' caps and floors, by index; none: 1
+  Ways ways_;
   double inequalities_;
   std::size_t first_free_, first_single_, end_single_;  ///< coefficients: the first free one; those that are a variable
   BarrierTerms terms_;
@@ -112,6 +124,7 @@ class BarrierSolver {
   BarrierDuals duals_;
   std::vector<double> cap_duals_;  ///< of the coefficients
   double creep_dual_ = 1;
+  bool is_lost_ = false, was_lost_ = false;  ///< has a stage left the optimum that was followed; and has one before it?
   bool is_first_ = true;  ///< stage: its multipliers are those of centres
   std::vector<LocalModel> models_;
   numeric::BandedMatrix<3> hessian_;

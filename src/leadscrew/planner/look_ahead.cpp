@@ -52,9 +52,7 @@ void LookAhead::clear() {
 }
 
 std::size_t LookAhead::most_intervals() const {
-  const std::size_t usual =
-      std::clamp(rows_of_a_window / std::max(moving_.count(), std::size_t{1}), least_intervals, greatest_intervals);
-  return is_of_least_time_ ? tuning::least_time::closeness * usual : usual;
+  return std::clamp(rows_of_a_window / std::max(moving_.count(), std::size_t{1}), least_intervals, greatest_intervals);
 }
 
 void LookAhead::override_feed(double factor) {

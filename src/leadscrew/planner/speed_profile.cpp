@@ -16,12 +16,18 @@ double smooth_share(double u) {
   return u >= 1 ? 1 : u * u * u * (10 - u * (15 - 6 * u));
 }
 
-bool is_of_tip(const Section& section, const Knots& knots) {
+/// Is this said of any piece that the knots lie on?
+bool any_piece(const Section& section, const Knots& knots, bool toolpath::Piece::*said) {
   const std::size_t last = section.piece_at(knots.s.back(), Side::left);
   for (std::size_t p = section.piece_at(knots.s.front(), Side::right); p <= last; ++p) {
-    if (section.piece(p).is_of_tip) return true;
+    if (section.piece(p).*said) return true;
   }
   return false;
+}
+
+BarrierSolver::Ways ways(const Section& section, const Knots& knots) {
+  return {any_piece(section, knots, &toolpath::Piece::is_of_tip),
+          any_piece(section, knots, &toolpath::Piece::is_of_least_time)};
 }
 
 /// With the continuation's knots those that lie between them.
@@ -38,7 +44,7 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
                            double feed_factor)
     : problem_(section, constraints, std::move(knots), feed_factor),
       bounds_(problem_, {}),
-      is_of_tip_(planner::is_of_tip(section, problem_.knots())) {
+      ways_(ways(section, problem_.knots())) {
   creep();
 }
 
@@ -46,7 +52,7 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
                            Continuation before, double feed_factor)
     : problem_(section, constraints, std::move(knots), feed_factor),
       bounds_(problem_, refined(before, problem_.knots().s)),
-      is_of_tip_(planner::is_of_tip(section, problem_.knots())) {
+      ways_(ways(section, problem_.knots())) {
   std::vector<double> c(problem_.creep().begin(), problem_.creep().end());
   for (double& value : c) value *= before.share;
   for (std::size_t i = 0; i < before.c.size() && i < c.size(); ++i)

@@ -114,7 +114,7 @@ class SpeedProfile {
   const std::vector<double>& c() const { return levelled_.empty() ? iterate_.coefficients() : levelled_; }
   void set(std::vector<double> coefficients);
   void keep(double gap);
-  BarrierSolver solver(const SpeedGoal& goal) { return {problem_, bounds_, goal, iterate_, is_of_tip_}; }
+  BarrierSolver solver(const SpeedGoal& goal) { return {problem_, bounds_, goal, iterate_, ways_}; }
   void optimize(const SpeedGoal& goal, double first_gap, double gap);
   void clamp_at(Continuation& after, std::size_t interval, double u) const;
 
@@ -130,7 +130,7 @@ class SpeedProfile {
   std::vector<Inside> inside_;
   SpeedGoal goal_;  ///< creep, once descended to
   bool too_fast_ = false;
-  bool is_of_tip_ = false;  ///< is any of its pieces under tool centre point control?
+  BarrierSolver::Ways ways_;  ///< weighs caps where any of its pieces is under tool centre point control
   int newton_steps_ = 0;
 };
 

@@ -40,11 +40,15 @@ inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a 
 }  // namespace knots
 
 /// Along paths of least time, where jerk jumps every few milliseconds as it did in the motion that they were found as: that so
-/// much closer knots, in windows of so many more, follow. Closer: nearer to that motion's time (half a percent of it is lost
-/// here, of engraving one and a half; at 1 twice that, and more than any stop takes where it is slowest). Farther apart: less work.
+/// much closer knots follow, in windows of as many as usual, which reach less far. Closer: nearer to that motion's time
+/// (`leadscrew study tube`: 0.7 % of it is lost, of engraving two; at 2, in windows of twice as many, 0.6 and one and a
+/// half, for 1.5 times the work and calls of several times as long). Farther apart: less work.
 namespace least_time {
-inline constexpr std::size_t closeness = 2;
-inline constexpr std::size_t most_refined = 1000;  // intervals, as below
+inline constexpr double closeness = 1.5;
+inline constexpr double committed = 0.4;  // of a window, at least: more is planned less often, and nearer to its end
+/// Of t, as of the barrier method below. Slower: their optimum is followed more closely to where it bends away from the
+/// centre before, in fewer steps than a stage takes that has lost it.
+inline constexpr double growth = 5;
 }  // namespace least_time
 
 /// One window. Smaller gaps and more repairs: nearer to the least time and fewer windows refused
@@ -72,6 +76,7 @@ inline constexpr double allowed_slowing = 1.0002;  // below, slowing time costs 
 /// those.
 inline constexpr double stops_felt = 4, stops_before = 1.2;
 inline constexpr std::size_t least_ahead = 16;  // intervals
+inline constexpr double committed = 0.25;       // of them, at least
 inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
@@ -91,6 +96,9 @@ inline constexpr double negligible = 0.06;                // decrement of a step
 inline constexpr double negligible_first = 0.1;           // in the first stage
 inline constexpr double negligible_where_weighed = 0.01;  // where little time is spent counts little of it
 inline constexpr double shorter = 0.7;                    // each attempt at a step
+/// Not convex, the problem may have another optimum than the one that was followed. A stage goes over to it once its decrement is so
+/// many times the first, and so much of the number of inequalities; from there it is found sooner from this far inside.
+inline constexpr double lost = 2, times_first = 4, found_again = 0.1;
 inline constexpr double first_time_curvature = 0.2,
                         first_floor_curvature = 0.1;  // of the first stage; 0.75 and 1 are exact
 }  // namespace barrier

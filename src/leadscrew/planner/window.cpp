@@ -27,7 +27,7 @@ constexpr double gap_of_round(int round, int rounds) {
 /// may be for `stops_before` stopping times before that place. Behind a corner, where speed is next to 0, the influence
 /// ends sooner than the stopping distance from there tells.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section,
-                         const constraints::Constraints& constraints) {
+                         const constraints::Constraints& constraints, double least_share) {
   const std::size_t n = profile.intervals();
   const double end = profile.knots().s[n];
   std::size_t k = n;
@@ -43,7 +43,7 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section,
     }
     if (n - k >= least_ahead && since >= time_needed) break;
   }
-  return std::max({k, n / 4, std::size_t{1}});
+  return std::max({k, static_cast<std::size_t>(least_share * static_cast<double>(n)), std::size_t{1}});
 }
 
 /// Only from rest: x(s) becomes λ²x(s), and so does what follows.
@@ -116,7 +116,8 @@ bool WindowPlanner::emit(Window& window) const {
   window.turns_back = false;
   window.factors.assign(n, Ratios{});
   if (!profile.ends_at_rest()) {
-    window.last_interval = commit_until(profile, section_, constraints_);
+    const double least_share = range_.closeness > 1 ? tuning::least_time::committed : committed;
+    window.last_interval = commit_until(profile, section_, constraints_, least_share);
     window.after = profile.continuation(window.last_interval);
     if (!window.after) {
       profile.unlevel();
@@ -277,7 +278,8 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
     // Or repairs have not helped.
-    const bool coarse = range_.changes_from > 0 ? window.worst > coarse_knots || round + 1 >= rounds : round > 0;
+    const bool coarse = range_.changes_from > 0 ? window.worst > coarse_knots || round + 1 >= rounds
+                                                : window.worst > coarse_knots || round > 0;
     if (finer != nullptr && coarse && refine(*finer, window)) return false;
     if (last_round) return false;
     // Where it begins, motion is what it was: nothing that can be tightened.
@@ -334,8 +336,7 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
     return parts;
   };
   const bool changes = range_.changes_from > 0;
-  const std::size_t most = changes ? most_refined : std::max(most_refined, tuning::least_time::most_refined);
-  const std::size_t most_added = n < most ? most - n : 0;
+  const std::size_t most_added = n < most_refined ? most_refined - n : 0;
   const auto added_by = [](const std::vector<std::size_t>& parts) {
     return std::accumulate(parts.begin(), parts.end(), std::size_t{0}) - parts.size();
   };
