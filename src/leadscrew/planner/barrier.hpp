@@ -125,7 +125,7 @@ class BarrierSolver {
   std::vector<double> cap_duals_;  ///< of the coefficients
   double creep_dual_ = 1;
   bool is_lost_ = false, was_lost_ = false;  ///< has a stage left the optimum that was followed; and has one before it?
-  bool is_first_ = true;  ///< stage: its multipliers are those of centres
+  bool is_first_ = true;                     ///< stage: its multipliers are those of centres
   std::vector<LocalModel> models_;
   numeric::BandedMatrix<3> hessian_;
   std::vector<double> gradient_, direction_;

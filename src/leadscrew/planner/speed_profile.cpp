@@ -17,7 +17,7 @@ double smooth_share(double u) {
 }
 
 /// Is this said of any piece that the knots lie on?
-bool any_piece(const Section& section, const Knots& knots, bool toolpath::Piece::*said) {
+bool any_piece(const Section& section, const Knots& knots, bool toolpath::Piece::* said) {
   const std::size_t last = section.piece_at(knots.s.back(), Side::left);
   for (std::size_t p = section.piece_at(knots.s.front(), Side::right); p <= last; ++p) {
     if (section.piece(p).*said) return true;
