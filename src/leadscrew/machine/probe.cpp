@@ -48,7 +48,8 @@ std::string numbers(const ProbeBody& body) {
 
 bool is_sound(const ProbePatch& patch) {
   const auto [p, q] = patch.degree;
-  if (p < 1 || p > 5 || q < 1 || q > 5 || patch.net.size() != static_cast<std::size_t>((p + 1) * (q + 1))) return false;
+  if (p < 1 || p > 5 || q < 1 || q > 5) return false;
+  if (patch.net.size() != (static_cast<std::size_t>(p) + 1) * (static_cast<std::size_t>(q) + 1)) return false;
   return std::ranges::all_of(patch.net, [](const std::array<double, 4>& point) {
     return std::ranges::all_of(point, [](double value) { return std::isfinite(value); }) && point[3] > 0;
   });

@@ -46,6 +46,8 @@ inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a 
 namespace least_time {
 inline constexpr double closeness = 1.5;
 inline constexpr double committed = 0.4;  // of a window, at least: more is planned less often, and nearer to its end
+/// Intervals at least that are left to the next. Fewer: it is refused where jerk has no room to change, and the end is crept along.
+inline constexpr std::size_t least_ahead = 100;
 /// Of t, as of the barrier method below. Slower: their optimum is followed more closely to where it bends away from the
 /// centre before, in fewer steps than a stage takes that has lost it.
 inline constexpr double growth = 5;

@@ -27,9 +27,11 @@ constexpr double gap_of_round(int round, int rounds) {
 /// may be for `stops_before` stopping times before that place. Behind a corner, where speed is next to 0, the influence
 /// ends sooner than the stopping distance from there tells.
 std::size_t commit_until(const SpeedProfile& profile, const Section& section,
-                         const constraints::Constraints& constraints, double least_share) {
+                         const constraints::Constraints& constraints, bool is_of_least_time) {
   const std::size_t n = profile.intervals();
   const double end = profile.knots().s[n];
+  const double least_share = is_of_least_time ? tuning::least_time::committed : committed;
+  const std::size_t least_left = is_of_least_time ? tuning::least_time::least_ahead : least_ahead;
   std::size_t k = n;
   double since = 0, time_needed = infinity;
   while (k > 0) {
@@ -41,7 +43,7 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section,
       since = 0;
       time_needed = stops_before * stop;
     }
-    if (n - k >= least_ahead && since >= time_needed) break;
+    if (n - k >= least_left && since >= time_needed) break;
   }
   return std::max({k, static_cast<std::size_t>(least_share * static_cast<double>(n)), std::size_t{1}});
 }
@@ -116,8 +118,7 @@ bool WindowPlanner::emit(Window& window) const {
   window.turns_back = false;
   window.factors.assign(n, Ratios{});
   if (!profile.ends_at_rest()) {
-    const double least_share = range_.closeness > 1 ? tuning::least_time::committed : committed;
-    window.last_interval = commit_until(profile, section_, constraints_, least_share);
+    window.last_interval = commit_until(profile, section_, constraints_, range_.closeness > 1);
     window.after = profile.continuation(window.last_interval);
     if (!window.after) {
       profile.unlevel();
