@@ -16,8 +16,8 @@ export function exampleText(name) {
 /** Until what is set has been planned, refused, or cancelled. */
 export async function planned(page) {
   await page.waitForFunction(() => {
-    const state = document.querySelector(".program")?.dataset.state;
-    return state !== undefined && state !== "planning";
+    const { state, samples } = document.querySelector(".program")?.dataset ?? {};
+    return state !== undefined && state !== "planning" && !(state === "ready" && samples === "some");
   });
   return await page.getAttribute(".program", "data-state");
 }

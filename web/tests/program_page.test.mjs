@@ -65,6 +65,35 @@ test("time tells the line and the place", async () => {
   }
 });
 
+test("some samples of a plan are shown at once, all of them follow, and the clock goes on", async () => {
+  const { page } = opened;
+  await page.evaluate(() => {
+    const program = document.querySelector(".program");
+    globalThis.shown = [];
+    const note = () => {
+      const { state, samples } = program.dataset;
+      if (state !== "ready" || globalThis.shown.at(-1)?.[0] === samples) return;
+      globalThis.shown.push([samples, document.querySelector("#time").value]);
+      if (samples !== "some") return;
+      const slider = document.querySelector("#time");
+      slider.value = "7.5";
+      slider.dispatchEvent(new Event("input"));
+    };
+    new MutationObserver(note).observe(program, { attributes: true, attributeFilter: ["data-state"] });
+  });
+  await choose(page, "03-arcs-in-three-planes");
+  await choose(page, "01-plate");
+  const shown = await page.evaluate(() => globalThis.shown);
+  assert.deepEqual(
+    shown.slice(-2).map(([samples]) => samples),
+    ["some", "all"],
+  );
+  assert.equal(Number(shown.at(-1)[1]), 7.5);
+  assert.equal(await timeOf(page), 7.5);
+  const rows = rowsOf(await downloaded(page, "times-csv")).rows;
+  assert.ok(Math.abs(rows[1][0] - rows[0][0] - 0.001) < 1e-9);
+});
+
 test("a line of the text, and of the list of lost time, tells the time", async () => {
   const { page } = opened;
   await choose(page, "04-square");

@@ -218,6 +218,9 @@ export interface Plan {
   deviations: Deviations | undefined;
 }
 
+/** What of a plan depends on how many samples there are. */
+export type Sampling = Pick<Plan, "blocks" | "samples" | "path" | "drawn" | "ranges" | "poles">;
+
 /** What a program is machined with, what it is to become and what it has in force, without its motion. */
 export type Equipment = Pick<Plan, "tools" | "surfaces" | "contour" | "modes">;
 
@@ -361,6 +364,8 @@ export interface PlannerCalls {
   check(task: Task): Promise<Checked>;
   /** Of a sound program; at most so many samples. */
   plan(task: Task, most: number): Promise<Plan | Diagnostic>;
+  /** What was planned last, at most so many samples of it. */
+  sampled(most: number): Promise<Sampling | Diagnostic>;
   /** What plan() tells of tools, surfaces and contours, without a plan. */
   equipment(task: Task): Promise<Equipment>;
   /** Where a program gouges the surfaces that it machines by more than its machine's tolerance. */

@@ -14,6 +14,7 @@ import type {
   Phase,
   Plan,
   PlannerCalls,
+  Sampling,
   Slides,
   SurfaceMesh,
   Task,
@@ -143,6 +144,12 @@ export class Planner implements PlannerCalls {
     } finally {
       module.calls.leadscrew_machine_free(machine);
     }
+  }
+
+  /** Nobody waits for it: how far it is is not told. */
+  async sampled(most: number): Promise<Sampling | Diagnostic> {
+    const { planned } = this;
+    return planned === undefined ? nothingPlanned : this.samplingOf(planned, most, () => undefined);
   }
 
   async equipment(task: Task): Promise<Equipment> {
@@ -333,24 +340,33 @@ export class Planner implements PlannerCalls {
     this.begin("looking");
     const figures = module.figuresOf(trajectory);
     const limits = task.limits;
-    this.planned = { task, trajectory, figures, limits, period };
-    module.calls.leadscrew_trajectory_blocks(trajectory, module.calls.leadscrew_page_on_block(), 0, 0);
-    const blocks = this.blocks.done();
-    const all = { module, trajectory, period, figures, blocks, limits, factorAt: factorsOf(task) };
-    const samples = samplesOf(all, most, (share) => this.told("looking", share));
-    const path = pathOf(samples, blocks);
+    const planned = { task, trajectory, figures, limits, period };
+    this.planned = planned;
+    const sampling = this.samplingOf(planned, most, (share) => this.told("looking", share));
     return {
       period,
       figures,
+      ...sampling,
+      lost: lostOf(sampling.blocks, mostLosses),
+      ...this.taken,
+      deviations: undefined,
+    };
+  }
+
+  private samplingOf(planned: Planned, most: number, told: (share: number) => void): Sampling {
+    const { module } = this;
+    this.blocks = new BlockList();
+    module.calls.leadscrew_trajectory_blocks(planned.trajectory, module.calls.leadscrew_page_on_block(), 0, 0);
+    const blocks = this.blocks.done();
+    const samples = samplesOf({ ...planned, module, blocks, factorAt: factorsOf(planned.task) }, most, told);
+    const path = pathOf(samples, blocks);
+    return {
       blocks,
       samples,
       path,
       drawn: structuredClone(path),
       ranges: rangesOf(samples, blocks),
-      lost: lostOf(blocks, mostLosses),
-      ...this.taken,
       poles: polesOf(samples),
-      deviations: undefined,
     };
   }
 }

@@ -44,6 +44,7 @@ export class PlannerClient implements PlannerCalls {
   readonly limits: PlannerCalls["limits"] = (machine) => this.call("limits", [machine]);
   readonly check: PlannerCalls["check"] = (task) => this.call("check", [task]);
   readonly plan: PlannerCalls["plan"] = (task, most) => this.call("plan", [task, most]);
+  readonly sampled: PlannerCalls["sampled"] = (most) => this.call("sampled", [most]);
   readonly equipment: PlannerCalls["equipment"] = (task) => this.call("equipment", [task]);
   readonly gouges: PlannerCalls["gouges"] = (task) => this.call("gouges", [task]);
   readonly words: PlannerCalls["words"] = (task) => this.call("words", [task]);

@@ -4,10 +4,13 @@
 import { type PlannerClient, unlessCancelled } from "../engine/planner_client";
 import type { Diagnostic, Gouge, Limits, LoopOptions, Plan, Slides, Task } from "../engine/motion_types";
 import type { Judged } from "../engine/judging";
+import { spacingOf } from "../engine/sampling";
 import { askedOf, diagnosticsOf, gougesOf, planOf, traceOf, type Recording } from "../engine/recording";
 import { asAsked, copied, fromLink, isAsBegun, plannedMachine, toLink, type Origin, type Settings } from "./settings";
 
 const mostSamples = 1_000_000;
+/** So many are soon made and drawn; all follow. */
+const firstSamples = 16_384;
 const typingPause = 250; // ms
 const stepClock = 1_000_000; // Hz, as the command has it without --step-clock
 
@@ -18,8 +21,8 @@ export interface PlanningEvents {
   /** A run begins: of what was recorded, or of what is set now. */
   begun(isRecorded: boolean): void;
   diagnosed(diagnostics: readonly Diagnostic[]): void;
-  /** Shows a plan; asks between two pieces of that whether it is still wanted. */
-  planned(plan: Plan, isCurrent: () => boolean): Promise<void>;
+  /** Shows a plan, with all its samples or, before, with some of them; asks between two pieces of that whether it is still wanted. */
+  planned(plan: Plan, hasAll: boolean, isCurrent: () => boolean): Promise<void>;
   /** Of a recording. */
   gouged(gouges: readonly Gouge[]): void;
   ended(why: End, said: string): void;
@@ -190,7 +193,7 @@ export class Planning {
   private async plan(run: number): Promise<void> {
     const { task } = this;
     const checking = unlessCancelled(this.planner.check(task));
-    const planning = unlessCancelled(this.planner.plan(task, mostSamples));
+    const planning = unlessCancelled(this.planner.plan(task, firstSamples));
     planning.catch(() => undefined); // a failure counts where the plan is waited for
     const checked = await checking;
     await this.isHeard;
@@ -206,7 +209,13 @@ export class Planning {
       this.events?.diagnosed([...checked.diagnostics, plan]);
       return this.refuse();
     }
-    await this.events?.planned(plan, () => run === this.runs);
+    const isCurrent = (): boolean => run === this.runs;
+    const hasAll = spacingOf(plan.figures.words, firstSamples)[0] === spacingOf(plan.figures.words, mostSamples)[0];
+    await this.events?.planned(plan, hasAll, isCurrent);
+    if (hasAll || !isCurrent()) return;
+    const sampled = await unlessCancelled(this.planner.sampled(mostSamples));
+    if (sampled === undefined || "code" in sampled || !isCurrent()) return;
+    await this.events?.planned({ ...plan, ...sampled }, true, isCurrent);
   }
 
   /** Nothing is planned: tools and surfaces alone are the engine's. */
@@ -215,7 +224,7 @@ export class Planning {
     await this.isHeard;
     if (equipment === undefined || run !== this.runs) return;
     this.events?.diagnosed(diagnosticsOf(recording.result));
-    await this.events?.planned(planOf(recording, equipment), () => run === this.runs);
+    await this.events?.planned(planOf(recording, equipment), true, () => run === this.runs);
     const gouges = gougesOf(recording);
     if (gouges !== undefined && run === this.runs) this.events?.gouged(gouges);
   }

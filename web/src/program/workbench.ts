@@ -33,6 +33,7 @@ export class Workbench implements Mode {
   private plan: Plan | undefined;
   private sample = 0;
   private line = 0;
+  private shown = 0; // number of the run whose plan that is
   private readonly tools = new ToolsOfLines();
   private isNewText = true;
   private readonly editor: Editor;
@@ -164,7 +165,7 @@ export class Workbench implements Mode {
         if (this.judged !== undefined) this.judged.isShown = isRecorded;
       },
       diagnosed: (diagnostics) => this.showDiagnostics(diagnostics),
-      planned: (plan, isCurrent) => this.load(plan, isCurrent),
+      planned: (plan, hasAll, isCurrent) => this.load(plan, hasAll, isCurrent),
       gouged: (gouges) => this.gouges.show(gouges),
       ended: (why, said) => this.end(why, said),
       equipped: () => this.showSettings(),
@@ -267,7 +268,8 @@ export class Workbench implements Mode {
   /** Of the plan that is shown, unless it is another by then. */
   private async judge(): Promise<void> {
     const { plan } = this;
-    if (plan?.deviations !== undefined || this.element.dataset["state"] !== "ready") return;
+    const { state, samples } = this.element.dataset;
+    if (plan?.deviations !== undefined || state !== "ready" || samples !== "all") return;
     const judged = await this.planning.judged();
     if (judged === undefined || plan === undefined || plan !== this.plan) return;
     this.progress.rest("code" in judged ? `The referee: ${judged.message}` : "");
@@ -289,7 +291,7 @@ export class Workbench implements Mode {
   }
 
   /** A panel at a time: between two the page is free. What lies below all that is seen at first comes last. */
-  private async load(plan: Plan, isCurrent: () => boolean): Promise<void> {
+  private async load(plan: Plan, hasAll: boolean, isCurrent: () => boolean): Promise<void> {
     delete this.element.dataset["shows"];
     const panels = [
       () => this.path.load(plan, this.settings.colouring, this.isNewText ? this.settings.seen : undefined),
@@ -301,15 +303,22 @@ export class Workbench implements Mode {
     ];
     if (!(await inTurn(panels, isCurrent))) return;
     this.plan = plan;
-    this.progress.rest("");
-    this.line = 0;
-    this.isNewText = false;
-    this.playback.load(plan.figures.time, plan.period, this.settings.time);
-    this.feed.show(this.settings);
+    if (this.shown === this.planning.number) this.stand(this.playback.time);
+    else this.begin(plan);
+    this.element.dataset["samples"] = hasAll ? "all" : "some";
     this.tell("ready");
+    if (!hasAll) return;
     this.loops.planned();
-    if (!(await inTurn(this.plots.rows(), isCurrent))) return;
-    if (this.settings.colouring === "deviation") await this.judge();
+    const isDrawn = await inTurn(this.plots.rows(), isCurrent);
+    if (isDrawn && this.settings.colouring === "deviation") await this.judge();
+  }
+
+  private begin({ figures, period }: Plan): void {
+    this.shown = this.planning.number;
+    this.progress.rest("");
+    [this.line, this.isNewText] = [0, false];
+    this.playback.load(figures.time, period, this.settings.time);
+    this.feed.show(this.settings);
   }
 
   private tell(state: string): void {
