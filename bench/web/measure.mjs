@@ -1,7 +1,7 @@
 // The workbench in Chromium, as `leadscrew serve` gives it: five runs, each by a browser of its own that has cached nothing.
 //
-//   first view   from the address to the example planned, drawn and open to input: the page's own clock, from navigation on; in a
-//                browser that has come to rest, and in one that is itself still starting
+//   first view   from the address to the example planned, drawn and open to input, by the first of its samples: the page's own
+//                clock, from navigation on; in a browser that has come to rest, and in one that is itself still starting
 //   large        100 000 blocks read, planned and drawn: the longest task of the page's main thread, from Chromium's trace
 //   zoom         a million samples plotted: from the end of the drag, or the click, to the next picture (Event Timing), ms in
 //                steps of 8
@@ -107,8 +107,8 @@ async function open(page, file) {
   await page.setInputFiles("#file", file);
   await page.waitForFunction(
     (before) => {
-      const { run: now, state } = document.querySelector(".program").dataset;
-      return now !== before && state !== "planning";
+      const { run: now, state, samples } = document.querySelector(".program").dataset;
+      return now !== before && state !== "planning" && !(state === "ready" && samples === "some");
     },
     run,
     { timeout: 600_000, polling: 100 },
