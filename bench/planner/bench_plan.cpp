@@ -43,8 +43,7 @@ machine::Machine fast_mill() {
 }
 
 /// Its lines and corners become paths of least time within the tolerance.
-machine::Machine mill_by_least_time() {
-  machine::Machine machine = machine::mill3();
+machine::Machine by_least_time(machine::Machine machine) {
   machine.smoothing = machine::Smoothing::least_time;
   return machine;
 }
@@ -188,21 +187,21 @@ void add(const std::string& name, const machine::Machine& machine, const Make& m
 }
 
 const bool added = [] {
+  const auto add_all = [](const machine::Machine& machine, const std::string& on) {
+    add("corners" + on, machine, [=] { return path_of(squares(), machine); });
+    add("zigzag" + on, machine, [=] { return path_of(zigzag(), machine); });
+    add("engraving" + on, machine, [=] { return path_of(wandering(200, 0.05, 0.5, 0.6), machine); });
+    add("random lines" + on, machine, [=] { return path_of(wandering(40, 0.2, 4, 3), machine); });
+    add("finishing" + on, machine, [=] { return path_of(finishing(), machine); });
+  };
   for (const bool fast : {false, true}) {
     const machine::Machine machine = fast ? fast_mill() : machine::mill3();
     const std::string on = fast ? ", ten times as fast" : "";
     add("line" + on, machine, lines_with_stops);
     add("small arcs" + on, machine, small_arcs);
-    add("corners" + on, machine, [] { return path_of(squares()); });
-    add("zigzag" + on, machine, [] { return path_of(zigzag()); });
-    add("engraving" + on, machine, [] { return path_of(wandering(200, 0.05, 0.5, 0.6)); });
-    add("random lines" + on, machine, [] { return path_of(wandering(40, 0.2, 4, 3)); });
-    add("finishing" + on, machine, [] { return path_of(finishing()); });
+    add_all(machine, on);
+    add_all(by_least_time(machine), on + ", by least time");
   }
-  const machine::Machine by_least_time = mill_by_least_time();
-  add("corners, by least time", by_least_time, [=] { return path_of(squares(), by_least_time); });
-  add("engraving, by least time", by_least_time,
-      [=] { return path_of(wandering(200, 0.05, 0.5, 0.6), by_least_time); });
   const machine::Machine trunnion = testing_support::trunnion();
   const auto blade = [](const machine::Machine& on) {
     return path_of(testing_support::blade_program("P0.02 E0.1", 30, 150), on);
