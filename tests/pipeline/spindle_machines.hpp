@@ -8,6 +8,7 @@
 #include <leadscrew/base/event.hpp>
 #include <leadscrew/interpolator/spindle_motion.hpp>
 #include <leadscrew/machine/machine.hpp>
+#include <leadscrew/machine/rotary_chain.hpp>
 #include <string>
 
 #include "random_programs.hpp"
@@ -33,6 +34,21 @@ inline machine::Machine machine_with_spindle() {
                                      .seed = static_cast<std::uint64_t>(*rc::gen::inRange(0, 1'000'000))};
   machine.tolerance = *rc::gen::element(0.002, 0.01, 0.05);
   return machine;
+}
+
+/// The blocks by which it points the tool anywhere and has tool centre point control, for which it gets two rotary axes.
+inline std::string point_tool(machine::Machine& machine) {
+  const machine::KinematicsPreset preset =
+      machine::kinematics_presets[*rc::gen::inRange<std::size_t>(0, machine::kinematics_presets.size())];
+  machine.kinematics = preset.name;
+  machine.rotary_chain = machine::preset_chain(preset.name);
+  std::string turns = "G0";
+  for (machine::RotaryAxis& axis : machine.rotary_chain->axes) {
+    axis.point = {between(-50, 50), between(-50, 50), between(-50, 50)};
+    machine.axes[base::index(axis.axis)] = machine::AxisLimits{-360, 360, 180, 1500, 30'000, 0.001};
+    turns += std::string(" ") + base::letter(axis.axis) + std::to_string(between(-170, 170));
+  }
+  return turns + "\nG43.4\nG0 X0 Y0 Z0\n";
 }
 
 /// The least of the limits of X, Y and Z.

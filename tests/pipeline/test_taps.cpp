@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <leadscrew/gcode/reader.hpp>
+#include <leadscrew/kinematics/transformation.hpp>
 #include <leadscrew/pipeline/program.hpp>
 #include <leadscrew/referee/referee.hpp>
 #include <string>
@@ -191,6 +193,53 @@ RC_GTEST_PROP(Taps, AreInStepOnTheWayInAndOut, ()) {
   }
   RC_LOG() << "told " << summary.threads.run_in << '\n';
   RC_ASSERT(std::abs(summary.threads.run_in - longest) <= 1e-9);
+}
+
+/// A tool that points anywhere, held by its tip: where Z of the part asks other axes than Z of the machine.
+RC_GTEST_PROP(Taps, ReachTheirDepthWhereverTheToolPoints, ()) {
+  machine::Machine machine = testing_support::machine_with_spindle();
+  const std::string pointing = testing_support::point_tool(machine);
+  const machine::Derivatives least = testing_support::least_limits(machine);
+  const double lead = between(0.2, 4);
+  // Along any direction an axis allows no more than √3 of the greatest; the bound falls with acceleration, and rises.
+  machine::Derivatives greatest = least;
+  for (std::size_t i = 0; i < 3; ++i)
+    greatest.acceleration = std::max(greatest.acceleration, std::sqrt(3.0) * machine.axes[i]->acceleration);
+  const auto brake_by = [&](const machine::Derivatives& limits) {
+    return machine::tap_acceleration(*machine.spindle, limits, lead, machine.tolerance, machine.period);
+  };
+  const double brake = std::min(brake_by(least), brake_by(greatest));
+  const double turns =
+      std::min({between(0.5, 60), least.velocity / lead / 1.12, std::sqrt(2 * brake * between(1, 50) / lead)});
+  const double v = lead * turns, rise = 2 * std::sqrt(v / least.jerk) + v / least.acceleration;
+  const double depth = lead * turns * turns / (2 * brake) * 1.01 + v * (12 * rise + between(0.1, 1)) + lead;
+  char tap[120];
+  std::snprintf(tap, sizeof tap, "S%.4f M3\nG33.1 Z%.4f K%.4f\nM2\n", 60 * turns, -depth, lead);
+  const std::string text = "G21 G90 G94 G17 F600\n" + pointing + tap;
+  RC_LOG() << text << testing_support::limits_with_spindle(machine);
+  std::string problems;
+  const auto tell = [&](const base::Diagnostic& problem) { problems += std::string(problem.message) + "; "; };
+  pipeline::Program program(gcode::text_source(text), machine, no_tools, {}, tell);
+  gcode::Reader judged(gcode::text_source(text), machine, no_tools, {}, tell);
+  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, machine, machine.period);
+  const kinematics::Transformation tip{kinematics::Chain::of(*machine.rotary_chain).value()};
+  bool has_begun = false;
+  program.on_event([&](const base::PassedEvent& event) { has_begun |= base::is_in_step(event.kind); });
+  double deepest = 0, last = 0;
+  while (program.prepare()) {
+    const base::Word word = program.cycle();
+    last = tip.tip_of(word.position)[2];
+    if (has_begun) deepest = std::min(deepest, last);
+    referee.observe(word.position);
+  }
+  RC_ASSERT(problems == "");
+  const referee::Verdict verdict = referee.conclude();
+  RC_ASSERT(verdict.violation_count == 0);
+  RC_ASSERT(testing_support::worst_judged(verdict) <= 1.001);
+  RC_ASSERT(std::abs(deepest + std::round(depth * 1e4) / 1e4) <= 1e-9);
+  RC_ASSERT(std::abs(last) <= 1e-9);
+  RC_ASSERT(program.summary().threads.lines == 2);
+  RC_ASSERT(program.summary().threads.run_in < depth);
 }
 
 /// A spindle that needs more than the depth to stand, and one whose axis cannot go along, are refused.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <leadscrew/gcode/spindle_pace.hpp>
+#include <leadscrew/kinematics/transformation.hpp>
 #include <leadscrew/numeric/functions.hpp>
 #include <limits>
 #include <string>
@@ -16,16 +17,25 @@ double feed_length_of_line(const base::AxisVector& from, const base::AxisVector&
   return 0;
 }
 
-// Of the axes that it moves, the least that one allows:
+/// Places of the axes; under tool centre point control a line in machine coordinates is one of the tip.
+base::AxisVector SpindlePace::axes_at(const base::AxisVector& place) const {
+  const kinematics::Transformation* of_tip = frame_.tip_control();
+  return of_tip == nullptr ? place : of_tip->axes_of(place);
+}
+
+// Of the axes that it moves, by d_i along the path's length of |d|, the least that one allows:
 //
 //     v · |d_i| / |d| ≤ v_i
+//
+// Tool centre point control turns d and leaves its length, as long as no rotary axis moves.
 machine::Derivatives SpindlePace::limits_along(const Line& line) const {
   constexpr double none = std::numeric_limits<double>::infinity();
   const double length = feed_length_of_line(line.from, line.to);
+  const base::AxisVector from = axes_at(line.from), to = axes_at(line.to);
   machine::Derivatives least{none, none, none};
   for (const base::Axis axis : base::all_axes) {
     const std::size_t i = base::index(axis);
-    const double part = std::fabs(line.to[i] - line.from[i]) / length;
+    const double part = std::fabs(to[i] - from[i]) / length;
     if (!(part > 0) || !machine_.axes[i]) continue;
     const machine::AxisLimits& limits = *machine_.axes[i];
     least = {std::min(least.velocity, limits.velocity / part), std::min(least.acceleration, limits.acceleration / part),
@@ -34,8 +44,22 @@ machine::Derivatives SpindlePace::limits_along(const Line& line) const {
   return least;
 }
 
+// The cycle follows a simulated spindle along straight lines of the axes.
+bool SpindlePace::goes_straight(const Block& block, const Line& line) {
+  if (!machine_.threads_follow() || frame_.tip_control() == nullptr) return true;
+  for (const base::Axis axis : {base::Axis::A, base::Axis::B, base::Axis::C}) {
+    const std::size_t i = base::index(axis);
+    if (line.from[i] == line.to[i]) continue;
+    return error("thread-turns-tool", block.column_of(base::letter(axis)),
+                 std::string("axis ") + base::letter(axis) + " turns the tool along a thread",
+                 "turn it in a block before, or end tool centre point control (G49)");
+  }
+  return true;
+}
+
 // An axis that cannot go as fast as the spindle asks would spoil the thread. So does a simulated spindle where it is fastest.
 bool SpindlePace::is_reached(const Block& block, const Line& line) {
+  if (!goes_straight(block, line)) return false;
   double fastest = limits_along(line).velocity;
   if (machine_.threads_follow()) fastest /= 1 + machine_.spindle->wander;
   constexpr double rounding = 1e-9;

@@ -22,12 +22,15 @@ class SpindlePace : Part {
     double speed = 0;
   };
 
-  /// Do the axes go as fast as the spindle asks? Else `thread-too-fast`.
+  /// Do the axes go as fast as the spindle asks? Else `thread-too-fast`; `thread-turns-tool` where a simulated spindle is
+  /// to be followed and rotary axes move under tool centre point control.
   bool is_reached(const Block& block, const Line& line);
   /// Does a simulated spindle, which turns at that speed as the line begins, stand where it ends? Else `tap-too-short`.
   bool can_brake(const Block& block, const Line& line);
 
  private:
+  bool goes_straight(const Block& block, const Line& line);
+  base::AxisVector axes_at(const base::AxisVector& place) const;
   machine::Derivatives limits_along(const Line& line) const;
 };
 

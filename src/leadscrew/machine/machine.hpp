@@ -63,9 +63,8 @@ struct Machine {
   std::optional<Probe> probe;               ///< for simulation; empty where none is simulated
   std::optional<Spindle> spindle;           ///< for simulation; empty: it is taken to turn at S
 
-  /// Do threads follow a simulated spindle? Not where rotary axes turn the tool: a line of the program is none of the
-  /// axes there.
-  bool threads_follow() const { return spindle && !rotary_chain; }
+  /// Do threads and taps follow a simulated spindle?
+  bool threads_follow() const { return spindle.has_value(); }
   /// Is there this axis?
   bool has(base::Axis axis) const { return axes[base::index(axis)].has_value(); }
   /// All there are.
