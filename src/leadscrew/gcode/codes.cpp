@@ -62,7 +62,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G5_2, 52, Group::motion, linuxcnc, "NURBS with uniform knots: begins, or a control point", manual, "PL"),
   g(Code::G5_3, 53, Group::motion, linuxcnc, "NURBS with uniform knots: ends", manual),
   g(Code::G6_2, 62, Group::motion, {L, F}, "NURBS with knots", fanuc_manual, "PKR", "", "KR"),
-  g(Code::G33, 330, Group::motion, no_small.without(T), "line in step with the spindle, which is taken to turn at S", manual, "K$"),
+  g(Code::G33, 330, Group::motion, no_small.without(T), "line in step with the spindle, which is taken to turn at S where none is simulated", manual, "K$"),
   g(Code::G33_1, 331, Group::motion, linuxcnc, "rigid tapping in step with the spindle", manual, "KI$", "K"),
   g(Code::G38_2, 382, Group::motion, {L, C, B, R}, "probes to contact, which must come", manual),
   g(Code::G38_3, 383, Group::motion, {L, C, B, R}, "probes to contact", manual),
