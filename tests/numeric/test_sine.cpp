@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/numeric/elementary.hpp>
+#include <leadscrew/numeric/jet.hpp>
+#include <leadscrew/numeric/pair.hpp>
 #include <leadscrew/numeric/sine.hpp>
 #include <limits>
 #include <numbers>
@@ -12,6 +15,8 @@
 namespace test_sine {
 
 using leadscrew::numeric::DoubleDouble;
+using leadscrew::numeric::Jet;
+using leadscrew::numeric::Pair;
 using leadscrew::numeric::Sines;
 using leadscrew::numeric::sines;
 
@@ -72,6 +77,27 @@ RC_GTEST_PROP(Sines, AreRightAtAnyAngle, ()) {
   if (std::abs(angle) < 0x1p20) {
     const Errors errors = errors_at(both);
     RC_ASSERT(errors.sine <= 0.75 && errors.cosine <= 0.75);
+  }
+}
+
+RC_GTEST_PROP(Sines, OfTwoAnglesAtOnceHaveTheBitsOfEachAlone, ()) {
+  Pair angles, low;
+  for (const std::size_t i : {0, 1}) {
+    angles[i] = *rc::gen::inRange(-1'000'000'000, 1'000'000'000) * *rc::gen::element(1e-12, 1e-9, 1e-3);
+    low[i] = angles[i] * *rc::gen::element(0.0, 1e-17, -1e-16);
+  }
+  const auto [sine, cosine] = leadscrew::numeric::near_sines(angles, low);
+  const Pair degrees = angles * 100;
+  const auto turned = leadscrew::numeric::sines_of_degrees(degrees);
+  const auto both = leadscrew::numeric::sines_of_both_degrees<Jet<>>({degrees[0], 1, 2, 3}, {degrees[1], -3, 2, 1});
+  for (const std::size_t i : {0, 1}) {
+    const Sines alone = sines({angles[i], low[i]});
+    RC_ASSERT(sine[i] == alone.sine && cosine[i] == alone.cosine);
+    const auto turned_alone = leadscrew::numeric::sines_of_degrees(degrees[i]);
+    RC_ASSERT(turned.sine[i] == turned_alone.sine && turned.cosine[i] == turned_alone.cosine);
+    const auto jets_alone =
+        leadscrew::numeric::sines_of_degrees(i == 0 ? Jet<>(degrees[0], 1, 2, 3) : Jet<>(degrees[1], -3, 2, 1));
+    RC_ASSERT(both[i].sine == jets_alone.sine && both[i].cosine == jets_alone.cosine);
   }
 }
 

@@ -139,9 +139,8 @@ Vector3<T> head_offset(const Chain& chain, const std::array<numeric::SinePair<T>
 
 template <typename T>
 std::array<numeric::SinePair<T>, 2> sines_of(const Chain& chain, const Coordinates<T>& coordinates) {
-  using numeric::sines_of_degrees;
-  return {sines_of_degrees(coordinates[base::index(chain.turns()[0].axis)]),
-          sines_of_degrees(coordinates[base::index(chain.turns()[1].axis)])};
+  return numeric::sines_of_both_degrees(coordinates[base::index(chain.turns()[0].axis)],
+                                        coordinates[base::index(chain.turns()[1].axis)]);
 }
 
 }  // namespace detail

@@ -176,4 +176,16 @@ SinePair<double> sines_of_degrees(double angle) {
   return turned<double>({rest.sine, rest.cosine}, quarters);
 }
 
+SinePair<Pair> sines_of_degrees(Pair angles) {
+  constexpr double units = 0x1.8p52;
+  const Pair quarters = (angles * (1.0 / 90) + units) - units, degrees = angles - 90 * quarters;
+  const DoubleDouble first = two_product(degrees[0], radians_of_degree.hi);
+  const DoubleDouble second = two_product(degrees[1], radians_of_degree.hi);
+  const Pair low = Pair{first.lo, second.lo} + degrees * radians_of_degree.lo;
+  const auto [sine, cosine] = near_sines(Pair{first.hi, second.hi}, low);
+  const SinePair<double> one = turned<double>({sine[0], cosine[0]}, quarters[0]);
+  const SinePair<double> other = turned<double>({sine[1], cosine[1]}, quarters[1]);
+  return {Pair{one.sine, other.sine}, Pair{one.cosine, other.cosine}};
+}
+
 }  // namespace leadscrew::numeric

@@ -13,6 +13,12 @@ using Vector = double;
 using Mask = std::int64_t;
 #include <leadscrew/numeric/sine.inl>
 
+namespace side_by_side {
+using Vector = Pair;
+using Mask = PairBits;
+#include <leadscrew/numeric/sine.inl>
+}  // namespace side_by_side
+
 /// 2/π · 2⁻³² in binary, 32 bits in each.
 constexpr std::array<std::uint32_t, 40> two_over_pi = {
     0x00000000, 0xa2f9836e, 0x4e441529, 0xfc2757d1, 0xf534ddc0, 0xdb629599, 0x3c439041, 0xfe5163ab,
@@ -86,6 +92,11 @@ Sines sines(DoubleDouble angle) {
   const bool is_near = std::abs(angle.hi) <= greatest_near_angle;
   const auto [sine, cosine, cosine_less_one] = sines_of(is_near ? reduce(angle.hi, angle.lo) : reduce_far(angle));
   return {sine, cosine, cosine_less_one};
+}
+
+SinesOfPair near_sines(Pair angle, Pair low) {
+  const side_by_side::VectorSines both = side_by_side::sines_of(side_by_side::reduce(angle, low));
+  return {both.sine, both.cosine};
 }
 
 }  // namespace leadscrew::numeric
