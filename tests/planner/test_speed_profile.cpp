@@ -133,6 +133,30 @@ RC_GTEST_PROP(SpeedProfile, IsFasterThanCreepAndSlowerThanTheBoundWithoutJerk, (
   RC_ASSERT(travel_time(profile) <= time * (1 + 1e-12));
 }
 
+/// What exceeds limits by little is lowered by so much, and nothing else rises above what it was.
+RC_GTEST_PROP(SpeedProfile, MovesInsideAsFarAsItExceedsLimits, ()) {
+  const Random random(6, 40);
+  SpeedProfile profile = random.profile();
+  profile.optimize(cold, 5e-4);
+  std::size_t tightest = 3;
+  for (std::size_t k = 3; k + 3 < profile.intervals(); ++k) {
+    if (profile.margin(k).rows < profile.margin(tightest).rows) tightest = k;
+  }
+  RC_PRE(profile.intervals() > 6 && profile.margin(tightest).rows < 1.01);
+  const double exceeding = 1 + 1e-5 * any(1, 31), before = profile.margin(tightest).rows, time = travel_time(profile);
+  const double greatest = profile.greatest_ratio();
+  std::vector<planner::Ratios> far(profile.intervals()), near = far;
+  far[tightest].rows = 1.5;
+  RC_ASSERT(!profile.move_inside(far));
+  RC_ASSERT(travel_time(profile) == time);
+  near[tightest].rows = exceeding;
+  RC_PRE(profile.move_inside(near));
+  RC_ASSERT(profile.margin(tightest).rows > before * exceeding);
+  RC_ASSERT(profile.greatest_ratio() <= greatest * (1 + 1e-9));
+  RC_ASSERT(travel_time(profile) > time);
+  RC_ASSERT(travel_time(profile) < 1.02 * time);
+}
+
 RC_GTEST_PROP(SpeedProfile, ComesBackFromOptimumToFarInside, ()) {
   const Random random(6, 10);
   SpeedProfile profile = random.profile();

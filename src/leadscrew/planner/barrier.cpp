@@ -134,7 +134,7 @@ double BarrierSolver::grown(double t, double most) {
 /// multipliers, begins as well from near it.
 double BarrierSolver::follow(double t) {
   using namespace tuning::barrier;
-  const double share = is_first_ ? negligible_first : weights_.empty() ? negligible : negligible_where_weighed;
+  const double share = is_first_ ? negligible_first : negligible;
   find_factors();
   Step at = measure(iterate_.coefficients(), t, values_);
   is_lost_ = false;

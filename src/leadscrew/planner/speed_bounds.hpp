@@ -20,6 +20,8 @@ struct Ratios {
   double rows = 1;   ///< of acceleration and jerk
   bool turns_back = false;
   double worst() const { return std::max(speed, rows); }
+  /// Those above 1 by so much greater.
+  Ratios raised(double by) const { return {speed > 1 ? speed + by : speed, rows > 1 ? rows + by : rows, turns_back}; }
 };
 
 class SpeedBounds {

@@ -157,6 +157,33 @@ void SpeedProfile::retreat(double gap) {
   set(inside_.back().c);
 }
 
+/// Between two profiles ratios of rows and caps are no greater than the straight line between theirs: all of them are convex, but
+/// for g²x, which nearly is. Little of the way costs little of the time, and no step of Newton's method.
+bool SpeedProfile::move_inside(std::span<const Ratios> exceeding) {
+  using namespace tuning::window;
+  const auto inner =
+      std::find_if(inside_.rbegin(), inside_.rend(), [](const Inside& inside) { return inside.gap >= near_inside; });
+  if (inner == inside_.rend()) return false;
+  std::vector<double> c = iterate_.coefficients();
+  double share = 0;
+  const auto lower = [&](double ratio, double inner_ratio, double factor) {
+    if (factor == 1) return;
+    const double wanted = ratio * (1 - 1 / factor), most = most_inside * (ratio - inner_ratio);
+    share = std::max(share, wanted < most ? wanted / (ratio - inner_ratio) : 1);
+  };
+  for (std::size_t i = 0; i < exceeding.size(); ++i) {
+    if (exceeding[i].worst() == 1) continue;
+    const Ratios factors = exceeding[i].raised(inside_margin);
+    const Ratios margin = bounds_.margin(problem_, c, i), inner_margin = bounds_.margin(problem_, inner->c, i);
+    lower(1 / margin.rows, 1 / inner_margin.rows, factors.rows);
+    lower(1 / squared(margin.speed), 1 / squared(inner_margin.speed), squared(factors.speed));
+  }
+  if (share == 1) return false;
+  for (std::size_t i = 0; i < c.size(); ++i) c[i] += share * (inner->c[i] - c[i]);
+  set(std::move(c));
+  return true;
+}
+
 bool SpeedProfile::is_level(std::size_t k) const {
   const std::vector<double>& x = c();
   return x[k] == x[k + 1] && x[k] == x[k + 2] && x[k] == x[k + 3];

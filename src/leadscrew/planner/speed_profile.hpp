@@ -37,6 +37,7 @@
 #include <leadscrew/planner/speed_bounds.hpp>
 #include <leadscrew/planner/speed_problem.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace leadscrew::planner {
@@ -73,6 +74,10 @@ class SpeedProfile {
   Ratios margin(std::size_t interval) const { return bounds_.margin(problem_, c(), interval); }
   /// Back to the last profile that was at least so much of its time from the optimum, inside the limits.
   void retreat(double gap);
+  /// From the present profile straight towards that which retreat(near_inside) would go back to, as far as it takes for what
+  /// exceeds limits to come back inside them. `exceeding`: of each interval, by how much, else 1. False, and nothing is
+  /// changed, if that is far.
+  bool move_inside(std::span<const Ratios> exceeding);
   /// As deep inside the limits as the optimum within `gap` of its time is.
   void center(double gap);
   /// Back to creep; only if the window begins at rest.

@@ -65,6 +65,8 @@ inline constexpr double deep_gap = 10;     // of a profile from which limits can
 inline constexpr double far_inside = 0.1, near_inside = 0.015;
 inline constexpr int repairs = 7, repairs_of_change = 5;  // knots come between soon where feed has changed
 inline constexpr double repair_margin = 2e-4;
+/// Of the way to the nearer of these, at most, that a profile is moved instead of planned again; below the limits, where it ends.
+inline constexpr double most_inside = 0.1, inside_margin = 5e-5;
 inline constexpr int refinements = 3;
 inline constexpr double coarse_knots = 1.005;  // ratios above tell that knots lie too far apart
 inline constexpr double cruising = 0.02;       // of the acceleration
@@ -93,11 +95,10 @@ inline constexpr std::size_t blend = 16;     // over which one is reached and le
 /// The barrier method. Faster growth: fewer stages, of more steps each. More that is negligible: fewer steps a stage, until
 /// the next begins too far from its centre. Shorter steps at the next attempt: fewer attempts; longer: fewer steps.
 namespace barrier {
-inline constexpr double growth = 20;                      // of t, from stage to stage
-inline constexpr double negligible = 0.06;                // decrement of a step, of the number of inequalities
-inline constexpr double negligible_first = 0.1;           // in the first stage
-inline constexpr double negligible_where_weighed = 0.01;  // where little time is spent counts little of it
-inline constexpr double shorter = 0.7;                    // each attempt at a step
+inline constexpr double growth = 20;             // of t, from stage to stage
+inline constexpr double negligible = 0.06;       // decrement of a step, of the number of inequalities
+inline constexpr double negligible_first = 0.1;  // in the first stage
+inline constexpr double shorter = 0.7;           // each attempt at a step
 /// Not convex, the problem may have another optimum than the one that was followed. A stage goes over to it once its decrement is so
 /// many times the first, and so much of the number of inequalities; from there it is found sooner from this far inside.
 inline constexpr double lost = 2, times_first = 4, found_again = 0.1;

@@ -109,8 +109,8 @@ bool WindowPlanner::spend_on(const SpeedProfile& profile, Work work) const {
   return effort_.spend(static_cast<double>(profile.newton_steps() - before) * static_cast<double>(profile.intervals()));
 }
 
-/// Time law of the window, proven or not: `worst` ratio, and `factors` by which rows must be tightened. False if it
-/// cannot come to rest at its end.
+/// Time law of the window, proven or not: `worst` ratio, and `factors` by which limits are exceeded. False if it cannot
+/// come to rest at its end.
 bool WindowPlanner::emit(Window& window) const {
   SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
@@ -175,7 +175,7 @@ bool WindowPlanner::add_stop(Window& window) const {
   return true;
 }
 
-/// Ratios of every segment, and by how much rows around it must be tightened. False where effort is at its end.
+/// Ratios of every segment, and by how much limits are exceeded around it. False where effort is at its end.
 bool WindowPlanner::prove(Window& window) const {
   const SpeedProfile& profile = window.profile;
   const std::size_t n = profile.intervals();
@@ -191,8 +191,8 @@ bool WindowPlanner::prove(Window& window) const {
     const std::size_t interval = std::min(window.intervals[k], n - 1);
     for (std::size_t i = interval > 0 ? interval - 1 : 0; i <= std::min(interval + 1, n - 1); ++i) {
       Ratios& factors = window.factors[i];
-      if (ratios.speed > 1) factors.speed = std::max(factors.speed, ratios.speed + repair_margin);
-      if (ratios.rows > 1) factors.rows = std::max(factors.rows, ratios.rows + repair_margin);
+      if (ratios.speed > 1) factors.speed = std::max(factors.speed, ratios.speed);
+      if (ratios.rows > 1) factors.rows = std::max(factors.rows, ratios.rows);
     }
   }
   return true;
@@ -237,7 +237,7 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
       slow_down(window, 1 / std::max(1.0, window.worst));
       return true;
     }
-    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i]);
+    for (std::size_t i = 0; i < window.factors.size(); ++i) profile.tighten(i, window.factors[i].raised(repair_margin));
     profile.retreat(far_inside);
     first_gap = repair_gap;
     if (profile.greatest_ratio() < 1) continue;
@@ -249,7 +249,7 @@ bool WindowPlanner::repair_from_rest(Window& window) const {
 /// Is the profile so far inside that its rows can be tightened as the window's factors say, with as much room left?
 bool WindowPlanner::may_tighten(const Window& window) {
   for (std::size_t i = 0; i < window.factors.size(); ++i) {
-    const Ratios& factors = window.factors[i];
+    const Ratios factors = window.factors[i].raised(repair_margin);
     if (factors.worst() == 1) continue;
     const Ratios margin = window.profile.margin(i);
     if (factors.speed > (1 + margin.speed) / 2 || factors.rows > (1 + margin.rows) / 2) return false;
@@ -278,6 +278,11 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
     if (aim_ == Aim::fastest) profile.level_cruises();
     if (!emit(window)) return false;
     if (window.worst <= 1) return true;
+    if (round == 0 && aim_ == Aim::fastest && profile.move_inside(window.factors)) {
+      profile.level_cruises();
+      if (!emit(window)) return false;
+      if (window.worst <= 1) return true;
+    }
     // Or repairs have not helped.
     const bool coarse = range_.changes_from > 0 ? window.worst > coarse_knots || round + 1 >= rounds
                                                 : window.worst > coarse_knots || round > 0;
@@ -293,7 +298,7 @@ bool WindowPlanner::repair_in_motion(Window& window, Knots* finer) const {
       first_gap = deep_gap;
     }
     for (std::size_t i = 0; i < window.factors.size(); ++i) {  // half of the margin at most
-      const Ratios& factors = window.factors[i];
+      const Ratios factors = window.factors[i].raised(repair_margin);
       if (factors.worst() == 1) continue;
       const Ratios margin = profile.margin(i);
       profile.tighten(i,

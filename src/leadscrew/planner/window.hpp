@@ -27,7 +27,7 @@ struct Window {
   std::vector<double> places;          ///< u ∈ [0, 1) of the interval where each segment begins
   double worst = 0;                    ///< ratio of any limit
   bool turns_back = false;             ///< does its motion, anywhere?
-  std::vector<Ratios> factors;         ///< of each interval: what it must be tightened by, ≥ 1
+  std::vector<Ratios> factors;         ///< of each interval: of what exceeds limits there or beside it; else 1
   std::size_t last_interval = 0;       ///< where the next window begins, unless all is committed
   bool to_rest = false;                ///< is all of it committed?
   std::optional<Continuation> after;   ///< what goes on at last_interval
