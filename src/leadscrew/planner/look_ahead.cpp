@@ -129,7 +129,7 @@ void LookAhead::take_change() {
   std::unique_ptr<Window> before = std::move(window_);
   go_on_from(std::move(*after));
   effort_.begin_window();
-  window_ = solve(Refinement::where_speed_changes);
+  window_ = solve(Refinement::where_speed_changes, before.get());
   if (window_) return;
   stand_at(begin_);
   window_ = std::move(before);
@@ -144,18 +144,18 @@ void LookAhead::go_on_from(Continuation continuation) {
   window_.reset();
 }
 
-std::unique_ptr<Window> LookAhead::solve(Refinement refinement) {
+std::unique_ptr<Window> LookAhead::solve(Refinement refinement, const Window* before) {
   PlannedRange range = next_range();
   if (continuation_ && refinement == Refinement::where_speed_changes) {
     range.changes_from = continuation_->c[0];
   }
-  return remembered_or_planned(range);
+  return remembered_or_planned(range, before);
 }
 
-std::unique_ptr<Window> LookAhead::remembered_or_planned(const PlannedRange& range) {
+std::unique_ptr<Window> LookAhead::remembered_or_planned(const PlannedRange& range, const Window* before) {
   const Aim aim = factor_ > 0 ? Aim::fastest : Aim::rest;
   const auto plan = [&] {
-    return settled(plan_window(section_, limits(), range, continuation_, aim, most_intervals(), effort_));
+    return settled(plan_window(section_, limits(), range, continuation_, aim, most_intervals(), effort_, before));
   };
   if (gentle_ || effort_.of_window() > 0) return plan();
   std::optional<WindowKey> key = WindowKey::of(section_, range, aim, most_intervals());
@@ -253,8 +253,8 @@ void LookAhead::plan_in_motion() {
   std::unique_ptr<Window> before = std::move(window_);
   go_on_from(*before->after);
   effort_.begin_window();
-  window_ = solve(Refinement::none);
-  if (!window_ && effort_.goes_on()) window_ = solve(Refinement::where_speed_changes);
+  window_ = solve(Refinement::none, before.get());
+  if (!window_ && effort_.goes_on()) window_ = solve(Refinement::where_speed_changes, before.get());
   effort_.pay();
   if (window_) return;
   if (effort_.goes_on()) ++refused_;

@@ -91,8 +91,8 @@ class LookAhead {
   std::size_t most_intervals() const;
   PlannedRange next_range() const;
   enum class Refinement : std::uint8_t { none, where_speed_changes };
-  std::unique_ptr<Window> solve(Refinement refinement);
-  std::unique_ptr<Window> remembered_or_planned(const PlannedRange& range);
+  std::unique_ptr<Window> solve(Refinement refinement, const Window* before = nullptr);
+  std::unique_ptr<Window> remembered_or_planned(const PlannedRange& range, const Window* before);
   std::unique_ptr<Window> settled(std::unique_ptr<Window> window);
   void solve_to_rest();
   void plan_from_rest();

@@ -40,6 +40,7 @@ class SpeedProblem {
     std::uint32_t interval = 0, first_block = 0, end_block = 0;
     bool hull = false;
     std::int8_t place = -1;  ///< which of the interval's places it is; −1: none of them
+    std::uint8_t pairs = 0;  ///< of rows
     Four x{};
   };
   /// Values of the basis at four places of an interval, for each coefficient: those of numeric::gauss_3_places, the
@@ -47,8 +48,10 @@ class SpeedProblem {
   using Places = std::array<Lanes, 4>;
   static constexpr std::int8_t middle_place = 1, end_place = 3;
 
-  /// Programmed feed is multiplied by `feed_factor`.
-  SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots, double feed_factor);
+  /// Programmed feed is multiplied by `feed_factor`. `before`: of the window that this one goes on from, with the same
+  /// constraints; what it has seen between the same knots is not looked at again.
+  SpeedProblem(const Section& section, const constraints::Constraints& constraints, Knots knots, double feed_factor,
+               const SpeedProblem* before = nullptr);
 
   const Knots& knots() const { return knots_; }
   std::size_t intervals() const { return knots_.intervals; }
@@ -88,6 +91,12 @@ class SpeedProblem {
 
  private:
   class Builder;
+  /// Greatest x as it was found at the knots and in the middle of the intervals, for the window that goes on.
+  struct SeenCaps {
+    std::vector<double> knots, middles;
+    std::vector<bool> speed_varies;  ///< of each interval: its caps are by a feed that varies
+    std::vector<bool> steps;         ///< at each knot: may the cap be another behind it?
+  };
   void find_creep();
   void tie_creep();
   void tie_variables();
@@ -97,12 +106,14 @@ class SpeedProblem {
   }
 
   Knots knots_;
+  double feed_factor_;
   std::vector<CubicBasis> basis_;
   std::vector<Places> places_;
   std::vector<Site> sites_;
   std::vector<Block> blocks_;
   std::size_t pairs_ = 0;  ///< of rows
   SquareCaps caps_;
+  SeenCaps seen_;
   std::array<double, 3> start_tie_{}, end_tie_{};
   std::vector<double> creep_;
   std::vector<std::int32_t> variable_;  ///< of each coefficient; −1 if it is given

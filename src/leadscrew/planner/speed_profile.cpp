@@ -49,8 +49,8 @@ SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraint
 }
 
 SpeedProfile::SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots,
-                           Continuation before, double feed_factor)
-    : problem_(section, constraints, std::move(knots), feed_factor),
+                           Continuation before, double feed_factor, const SpeedProfile* previous)
+    : problem_(section, constraints, std::move(knots), feed_factor, previous ? &previous->problem_ : nullptr),
       bounds_(problem_, refined(before, problem_.knots().s)),
       ways_(ways(section, problem_.knots())) {
   std::vector<double> c(problem_.creep().begin(), problem_.creep().end());
@@ -137,7 +137,7 @@ void SpeedProfile::settle() {
 }
 
 std::size_t SpeedProfile::bytes() const {
-  const std::size_t an_interval = sizeof(CubicBasis) + 7 * sizeof(double);
+  const std::size_t an_interval = sizeof(CubicBasis) + 9 * sizeof(double);
   return an_interval * problem_.basis().size() + problem_.sites().size_bytes() + problem_.blocks().size_bytes() +
          sizeof(double) * problem_.sites().size();
 }

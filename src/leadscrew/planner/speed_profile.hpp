@@ -49,9 +49,9 @@ class SpeedProfile {
                double feed_factor = 1);
   /// Goes on in motion: first interval where the continuation begins, whose knots must be among these. Where that is
   /// faster than the greatest speed (the feed has been overridden since), limits are relaxed to its own speed and
-  /// is_too_fast().
+  /// is_too_fast(). `previous`: of the window before, with the same constraints, if it is at hand: spares work.
   SpeedProfile(const Section& section, const constraints::Constraints& constraints, Knots knots, Continuation before,
-               double feed_factor = 1);
+               double feed_factor = 1, const SpeedProfile* previous = nullptr);
   bool is_too_fast() const { return too_fast_; }
 
   /// From the present profile down to the greatest speed, or to a creep, as fast as the limits allow; where it cannot

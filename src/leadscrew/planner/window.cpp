@@ -69,14 +69,16 @@ void slow_down(Window& window, double factor) {
 class WindowPlanner {
  public:
   WindowPlanner(const Section& section, const constraints::Constraints& constraints, const PlannedRange& range,
-                const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals, Effort& effort)
+                const std::optional<Continuation>& continuation, Aim aim, std::size_t most_intervals, Effort& effort,
+                const Window* before)
       : section_(section),
         constraints_(constraints),
         range_(range),
         continuation_(continuation),
         aim_(aim),
         most_intervals_(most_intervals),
-        effort_(effort) {}
+        effort_(effort),
+        before_(before ? &before->profile : nullptr) {}
 
   std::unique_ptr<Window> plan() const;
 
@@ -99,6 +101,7 @@ class WindowPlanner {
   Aim aim_;
   std::size_t most_intervals_;
   Effort& effort_;
+  const SpeedProfile* before_;
 };
 
 /// Work of Newton's method. False if it was the last that there is effort for.
@@ -207,8 +210,8 @@ std::unique_ptr<Window> WindowPlanner::plan() const {
   }
   for (int refinement = 0; refinement <= refinements; ++refinement) {
     const std::size_t intervals = knots.intervals;
-    auto window =
-        std::make_unique<Window>(SpeedProfile(section_, constraints_, knots, *continuation_, range_.feed_factor));
+    auto window = std::make_unique<Window>(
+        SpeedProfile(section_, constraints_, knots, *continuation_, range_.feed_factor, before_));
     if (!(window->profile.greatest_ratio() < 1)) return nullptr;
     const bool may_refine = (range_.changes_from > 0 || range_.closeness > 1) && refinement < refinements;
     if (repair_in_motion(*window, may_refine ? &knots : nullptr)) return window;
@@ -370,8 +373,8 @@ bool WindowPlanner::refine(Knots& knots, const Window& window) const {
 
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
                                     const PlannedRange& range, const std::optional<Continuation>& continuation, Aim aim,
-                                    std::size_t most_intervals, Effort& effort) {
-  return WindowPlanner(section, constraints, range, continuation, aim, most_intervals, effort).plan();
+                                    std::size_t most_intervals, Effort& effort, const Window* before) {
+  return WindowPlanner(section, constraints, range, continuation, aim, most_intervals, effort, before).plan();
 }
 
 }  // namespace leadscrew::planner

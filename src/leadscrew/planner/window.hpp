@@ -43,9 +43,9 @@ enum class Aim : std::uint8_t { fastest, rest };
 
 /// Plans the stretch: from rest, or in motion from where `continuation` begins. At most about `most_intervals` between
 /// knots, more where speed is to change. Nothing if no motion is found that keeps every limit and can come to rest, or
-/// if the effort of one window does not find it.
+/// if the effort of one window does not find it. `before`: the window that it goes on from, if it is at hand.
 std::unique_ptr<Window> plan_window(const Section& section, const constraints::Constraints& constraints,
                                     const PlannedRange& range, const std::optional<Continuation>& continuation, Aim aim,
-                                    std::size_t most_intervals, Effort& effort);
+                                    std::size_t most_intervals, Effort& effort, const Window* before = nullptr);
 
 }  // namespace leadscrew::planner
