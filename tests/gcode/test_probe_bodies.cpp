@@ -5,7 +5,7 @@
 #include <leadscrew/gcode/probe_contact.hpp>
 #include <random>
 
-#include "reading.hpp"
+#include "probe_programs.hpp"
 
 namespace leadscrew::gcode {
 namespace test_probe_bodies {
@@ -48,20 +48,6 @@ base::AxisVector axes(const Vector& v) {
 Vector point(const base::AxisVector& v) {
   return {v[0], v[1], v[2]};
 }
-
-/// What a program says of #5061 … #5063 and #5070.
-std::string told(const std::string& program, const Probe& probe) {
-  Conditions conditions;
-  conditions.machine.probe = probe;
-  std::string text;
-  conditions.options.remarks = [&](const Remark& remark) {
-    if (remark.kind == Remark::Kind::print) text += remark.text + ";";
-  };
-  const Reading reading = read("G21 F600\n" + program + "M2\n", conditions);
-  return text + reading.problems();
-}
-
-const std::string tell = "\n(PRINT,%.3f#5061 #5062 #5063 %d#5070)\n";
 
 Probe one(BodyKind kind, const Vector& from, const Vector& to, double radius = 0) {
   return {.bodies = {{kind, from, to, radius}}};

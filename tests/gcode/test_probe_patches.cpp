@@ -6,7 +6,7 @@
 #include <leadscrew/surfaces/bezier_nets.hpp>
 #include <random>
 
-#include "reading.hpp"
+#include "probe_programs.hpp"
 
 namespace leadscrew::gcode {
 namespace test_probe_patches {
@@ -176,19 +176,6 @@ TEST(ProbePatches, OfACylinderAreMetOnTheCircle) {
   }
   EXPECT_EQ(met, 3000);
 }
-
-std::string told(const std::string& program, const Probe& probe) {
-  Conditions conditions;
-  conditions.machine.probe = probe;
-  std::string text;
-  conditions.options.remarks = [&](const Remark& remark) {
-    if (remark.kind == Remark::Kind::print) text += remark.text + ";";
-  };
-  const Reading reading = read("G21 F600\n" + program + "M2\n", conditions);
-  return text + reading.problems();
-}
-
-const std::string tell = "\n(PRINT,%.3f#5061 #5062 #5063 %d#5070)\n";
 
 /// At z = −3, over x and y from 0 to 50.
 Probe level() {

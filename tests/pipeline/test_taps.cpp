@@ -10,12 +10,11 @@
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/kinematics/transformation.hpp>
 #include <leadscrew/pipeline/program.hpp>
-#include <leadscrew/referee/referee.hpp>
 #include <string>
 #include <vector>
 
+#include "judged_run.hpp"
 #include "spindle_machines.hpp"
-#include "worst_ratios.hpp"
 
 namespace test_taps {
 
@@ -151,30 +150,14 @@ std::vector<double> depths_of(const Case& made) {
 
 RC_GTEST_PROP(Taps, AreInStepOnTheWayInAndOut, ()) {
   const Case made = Case::any();
-  std::string problems;
-  const auto tell = [&](const base::Diagnostic& problem) { problems += std::string(problem.code) + ' '; };
-  pipeline::Program program(gcode::text_source(made.text), made.machine, no_tools, {}, tell);
-  gcode::Reader judged(gcode::text_source(made.text), made.machine, no_tools, {}, tell);
-  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, made.machine, made.machine.period);
   const std::vector<double> depths = depths_of(made);
   Watcher watcher(made.machine);
-  program.on_event([&](const base::PassedEvent& event) { watcher.pass(event); });
-  while (program.prepare()) {
-    const base::Word word = program.cycle();
-    watcher.see(word);
-    if (!watcher.taps.empty()) watcher.brake(word, depths[watcher.taps.size() - 1]);
-    referee.observe(word.position);
-  }
-  RC_LOG() << problems << '\n';
-  RC_ASSERT(problems.empty());
-  const referee::Verdict verdict = referee.conclude();
-  for (const referee::Violation& each : verdict.violations)
-    RC_LOG() << each.what << " " << each.value << " of " << each.limit << " at " << each.t << "\n";
-  RC_ASSERT(verdict.violation_count == 0);
-  RC_ASSERT(testing_support::worst_judged(verdict) <= 1.001);
-  RC_ASSERT(verdict.end_error_mm <= 1e-9);
-
-  const pipeline::Summary& summary = program.summary();
+  const pipeline::Summary summary = testing_support::judged_run(
+      made.text, made.machine, [&](const base::PassedEvent& event) { watcher.pass(event); },
+      [&](const base::Word& word) {
+        watcher.see(word);
+        if (!watcher.taps.empty()) watcher.brake(word, depths[watcher.taps.size() - 1]);
+      });
   RC_ASSERT(summary.bound_s <= summary.time_s * (1 + 1e-6));
   RC_ASSERT(watcher.taps.size() == depths.size());
   RC_ASSERT(summary.threads.lines == 2 * static_cast<std::int64_t>(depths.size()));

@@ -8,13 +8,12 @@
 #include <cstdio>
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/pipeline/program.hpp>
-#include <leadscrew/referee/referee.hpp>
 #include <string>
 #include <trunnion.hpp>
 #include <vector>
 
+#include "judged_run.hpp"
 #include "spindle_machines.hpp"
-#include "worst_ratios.hpp"
 
 namespace test_threads {
 
@@ -124,28 +123,10 @@ double where_braking(const Line& line) {
 
 RC_GTEST_PROP(Threads, FollowASpindleThatWandersBehindTheRunInThatIsTold, ()) {
   const Case made = Case::any();
-  const machine::ToolTable tools;
-  int problems = 0;
-  const auto count = [&](const base::Diagnostic&) { ++problems; };
-  pipeline::Program program(gcode::text_source(made.text), made.machine, tools, {}, count);
-  gcode::Reader judged(gcode::text_source(made.text), made.machine, tools, {}, count);
-  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, made.machine, made.machine.period);
   Watcher watcher(made.machine);
-  program.on_event([&](const base::PassedEvent& event) { watcher.pass(event); });
-  while (program.prepare()) {
-    const base::Word word = program.cycle();
-    watcher.see(word);
-    referee.observe(word.position);
-  }
-  RC_ASSERT(problems == 0);
-  const referee::Verdict verdict = referee.conclude();
-  for (const referee::Violation& each : verdict.violations)
-    RC_LOG() << each.what << " " << each.value << " of " << each.limit << " at " << each.t << "\n";
-  RC_ASSERT(verdict.violation_count == 0);
-  RC_ASSERT(testing_support::worst_judged(verdict) <= 1.001);
-  RC_ASSERT(verdict.end_error_mm <= 1e-9);
-
-  const pipeline::Summary& summary = program.summary();
+  const pipeline::Summary summary = testing_support::judged_run(
+      made.text, made.machine, [&](const base::PassedEvent& event) { watcher.pass(event); },
+      [&](const base::Word& word) { watcher.see(word); });
   RC_ASSERT(summary.threads.lines == static_cast<std::int64_t>(watcher.lines.size()));
   RC_ASSERT(summary.bound_s <= summary.time_s * (1 + 1e-6));
   double longest = 0;
