@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <leadscrew/base/event.hpp>
+#include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/interpolator/spindle_motion.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/machine/rotary_chain.hpp>
@@ -66,6 +67,17 @@ inline machine::Derivatives least_limits(const machine::Machine& machine) {
 inline std::string limits_with_spindle(const machine::Machine& machine) {
   return limits_of(machine) + "spindle " + std::to_string(machine.spindle->acceleration) + ' ' +
          std::to_string(machine.spindle->wander_period) + ' ' + std::to_string(machine.spindle->seed) + '\n';
+}
+
+/// Codes of what a program's reader finds, in order.
+inline std::string problems_of(const std::string& text, const machine::Machine& machine) {
+  const machine::ToolTable tools;
+  std::string codes;
+  gcode::Reader reader(gcode::text_source(text), machine, tools, {},
+                       [&](const base::Diagnostic& problem) { codes += std::string(problem.code) + ' '; });
+  for (gcode::Move move; reader.next(move);) {
+  }
+  return codes;
 }
 
 /// The spindle as it has turned up to each word, from the events alone; in a tap with what brakes it.

@@ -200,29 +200,19 @@ RC_GTEST_PROP(Taps, ReachTheirDepthWhereverTheToolPoints, ()) {
   std::snprintf(tap, sizeof tap, "S%.4f M3\nG33.1 Z%.4f K%.4f\nM2\n", 60 * turns, -depth, lead);
   const std::string text = "G21 G90 G94 G17 F600\n" + pointing + tap;
   RC_LOG() << text << testing_support::limits_with_spindle(machine);
-  std::string problems;
-  const auto tell = [&](const base::Diagnostic& problem) { problems += std::string(problem.message) + "; "; };
-  pipeline::Program program(gcode::text_source(text), machine, no_tools, {}, tell);
-  gcode::Reader judged(gcode::text_source(text), machine, no_tools, {}, tell);
-  referee::Referee referee([&](gcode::Move& move) { return judged.next(move); }, machine, machine.period);
   const kinematics::Transformation tip{kinematics::Chain::of(*machine.rotary_chain).value()};
   bool has_begun = false;
-  program.on_event([&](const base::PassedEvent& event) { has_begun |= base::is_in_step(event.kind); });
   double deepest = 0, last = 0;
-  while (program.prepare()) {
-    const base::Word word = program.cycle();
-    last = tip.tip_of(word.position)[2];
-    if (has_begun) deepest = std::min(deepest, last);
-    referee.observe(word.position);
-  }
-  RC_ASSERT(problems == "");
-  const referee::Verdict verdict = referee.conclude();
-  RC_ASSERT(verdict.violation_count == 0);
-  RC_ASSERT(testing_support::worst_judged(verdict) <= 1.001);
+  const pipeline::Summary summary = testing_support::judged_run(
+      text, machine, [&](const base::PassedEvent& event) { has_begun |= base::is_in_step(event.kind); },
+      [&](const base::Word& word) {
+        last = tip.tip_of(word.position)[2];
+        if (has_begun) deepest = std::min(deepest, last);
+      });
   RC_ASSERT(std::abs(deepest + std::round(depth * 1e4) / 1e4) <= 1e-9);
   RC_ASSERT(std::abs(last) <= 1e-9);
-  RC_ASSERT(program.summary().threads.lines == 2);
-  RC_ASSERT(program.summary().threads.run_in < depth);
+  RC_ASSERT(summary.threads.lines == 2);
+  RC_ASSERT(summary.threads.run_in < depth);
 }
 
 /// A spindle that needs more than the depth to stand, and one whose axis cannot go along, are refused.
@@ -230,13 +220,7 @@ TEST(Taps, ThatCannotBeCutAreRefused) {
   machine::Machine machine = machine::mill3();
   machine.spindle = machine::Spindle{.acceleration = 1000};
   const auto problems = [&](const std::string& block) {
-    const std::string text = "G21 G90 G94 F600\nG0 Z2\n" + block + "M2\n";
-    std::string codes;
-    gcode::Reader reader(gcode::text_source(text), machine, no_tools, {},
-                         [&](const base::Diagnostic& problem) { codes += std::string(problem.code) + ' '; });
-    for (gcode::Move move; reader.next(move);) {
-    }
-    return codes;
+    return testing_support::problems_of("G21 G90 G94 F600\nG0 Z2\n" + block + "M2\n", machine);
   };
   // (600/60)² / 2 / (1000/60) = 3 turns; (2000/60)² / 2 / (1000/60) = 33.3.
   EXPECT_EQ(problems("S600 M3\nG33.1 Z-1.1 K1\n"), "");

@@ -155,15 +155,7 @@ RC_GTEST_PROP(Threads, FollowASpindleThatWandersBehindTheRunInThatIsTold, ()) {
 /// Under tool centre point control a line of the tip is one of the axes only while no rotary axis turns.
 TEST(Threads, ThatTurnTheToolAreRefused) {
   machine::Machine machine = testing_support::trunnion();
-  const machine::ToolTable tools;
-  const auto problems = [&](const std::string& text) {
-    std::string codes;
-    gcode::Reader reader(gcode::text_source(text), machine, tools, {},
-                         [&](const base::Diagnostic& problem) { codes += std::string(problem.code) + ' '; });
-    for (gcode::Move move; reader.next(move);) {
-    }
-    return codes;
-  };
+  const auto problems = [&](const std::string& text) { return testing_support::problems_of(text, machine); };
   const std::string in_step = "G33 Z-10 C20 K1\nM2\n", by_tip = "S100 M3\nG0 A30\nG43.4\n" + in_step;
   EXPECT_EQ(problems(by_tip), "");
   machine.spindle = machine::Spindle{.acceleration = 1000};
