@@ -159,6 +159,10 @@ class GeneratedProgram {
       if (any(0, 2) == 0) add("M%d\n", any(3, 5));
       add("G0 X9\nZ2\nX6\n");
     }
+    if (any(0, 2) == 0) {
+      add("M%d S%.2f\nG95 F%.4f\nG1 X20 Z-5\nG64 P0.05 X24 Z0\n", any(3, 5), 60 * turns, slowest * 0.5 / turns);
+      add("S%.2f\nX30 Z-8\nG3 X34 Z-8 I2\nG94 F600\n", 60 * turns * between(0.5, 1.5));
+    }
     add("G1 X0 Z0\nM2\n");
   }
 

@@ -39,6 +39,7 @@ class LiveProgram {
     planner_.slice(0.02);
     if (!machine.threads_follow()) return;
     planner_.follow_spindle();
+    builder_.tell_revolutions();
     controller_.follow(*machine.spindle);
   }
 
@@ -57,7 +58,7 @@ class LiveProgram {
       referee_.observe(word.position);
       words.push_back(word);
       while (const planner::PlacedEvent* event = controller_.next_event())
-        events.push_back(planner::passed_at(word.tick, *event));
+        if (base::is_of_program(event->kind)) events.push_back(planner::passed_at(word.tick, *event));
     }
     return false;
   }
@@ -97,6 +98,7 @@ class LiveProgram {
   }
 
   std::optional<planner::Chunk> plan_next() {
+    if (machine_.threads_follow()) planner_.spindle_turns(controller_.spindle_speed());
     std::optional<planner::Chunk> chunk = planner_.pop();
     while (!chunk && reading_) {
       gcode::Move move;

@@ -64,6 +64,9 @@ struct Event {
     /// enters. Only where somebody asks for it (toolpath::Builder::tell_tool), and where it is another than before.
     tool_offset,
     tip_control,  ///< G43.4 and the like; likewise; value: 1 where feed is that of the tool's tip, 0 where that of the axes
+    /// G95; value: S for which the feeds of the blocks are planned that motion enters, revolutions per minute; 0 of other feeds.
+    /// Only where a simulated spindle is followed (toolpath::Builder::tell_revolutions).
+    feed_per_revolution,
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
@@ -106,7 +109,8 @@ constexpr bool is_in_step(Event::Kind kind) {
 
 /// Does a block ask for it? Not where it only says how motion was programmed.
 constexpr bool is_of_program(Event::Kind kind) {
-  return kind != Event::Kind::programmed_feed && kind != Event::Kind::tool_offset && kind != Event::Kind::tip_control;
+  return kind != Event::Kind::programmed_feed && kind != Event::Kind::tool_offset && kind != Event::Kind::tip_control &&
+         kind != Event::Kind::feed_per_revolution;
 }
 
 /// Does its output say more than its kind and code?
@@ -139,6 +143,7 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::rigid_tap:
     case Kind::tool_offset:
     case Kind::tip_control:
+    case Kind::feed_per_revolution:
       return true;
     default:
       return false;
@@ -173,7 +178,7 @@ constexpr std::string_view code_of(const Event& event) {
   constexpr std::string_view codes[] = {"M5",  "M3",  "M4",   "S",   "M7",    "M8",  "M9",   "T",   "M6",
                                         "M0",  "M1",  "M60",  "M2",  "F",     "M62", "M63",  "M64", "M65",
                                         "M67", "M68", "M19",  "M48", "M49",   "M50", "M51",  "M52", "M53",
-                                        "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4"};
+                                        "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4", "G95"};
   if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
   const auto number = static_cast<std::size_t>(event.output);
   if (number >= detail::user_functions) return "M";

@@ -42,7 +42,7 @@ WordMaker::WordMaker(const files::InputFile& program, const Setup& setup, const 
       .lead = setup.words_in(options.lead),
       .slice = slice,
       .spindle = setup.machine.threads_follow() ? setup.machine.spindle : std::nullopt};
-  source_.planner().follow_spindle();
+  source_.follow_spindle();
   runner_.emplace(runner_options, planning(std::move(may_start)), sink_.sink());
 }
 
@@ -92,6 +92,7 @@ realtime::Planning WordMaker::planning(MayStart may_start) {
   realtime::Planning planning{.next = [this] { return next_chunk(); },
                               .refuse = [this] { source_.planner().refuse(); },
                               .override_feed = [this](double factor) { source_.planner().override_feed(factor); },
+                              .spindle_turns = [this](double speed) { source_.planner().spindle_turns(speed); },
                               .lets =
                                   [this, may_start = std::move(may_start)](const planner::Chunk& chunk) {
                                     if (!inputs_let(chunk)) return false;

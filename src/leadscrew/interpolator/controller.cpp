@@ -26,6 +26,7 @@ base::Word Controller::next() noexcept {
   // Before the position, so that who sees the last chunk begun sees no older rest.
   stands_.store(stands, std::memory_order_relaxed);
   in_step_.store(interpolator_.is_in_step(), std::memory_order_relaxed);
+  spindle_speed_.store(interpolator_.spindle_speed(), std::memory_order_relaxed);
   tell_threads();
   position_.store(current_, std::memory_order_release);
   left_.store(event_link_, std::memory_order_release);

@@ -68,6 +68,8 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   void follow(const machine::Spindle& spindle) { interpolator_.follow(spindle); }
   /// Is motion on a line in step with the spindle?
   bool is_in_step() const { return in_step_.load(std::memory_order_relaxed); }
+  /// So fast the spindle turned behind the last word, revolutions per minute, either way; 0 where none is followed.
+  double spindle_speed() const { return spindle_speed_.load(std::memory_order_relaxed); }
   /// Of the lines in step so far; while there are words, each figure for itself.
   ThreadFigures threads() const;
 
@@ -137,7 +139,7 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   std::atomic<std::int64_t> starvations_{0};
   std::atomic<bool> stands_{true}, in_step_{false};
   std::atomic<std::int64_t> thread_lines_{0};
-  std::atomic<double> run_in_{0};
+  std::atomic<double> run_in_{0}, spindle_speed_{0};
   std::atomic<base::Line> run_in_line_{base::Line{}};
   static_assert(std::atomic<double>::is_always_lock_free && std::atomic<base::Line>::is_always_lock_free);
 };

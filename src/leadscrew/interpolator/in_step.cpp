@@ -44,6 +44,11 @@ void Interpolator::leave_chunk() {
   turn_spindle(now_);
 }
 
+double Interpolator::spindle_speed() const {
+  constexpr double seconds_per_minute = 60;
+  return spindle_ ? std::fabs(spindle_->speed(now_.value())) * seconds_per_minute : 0;
+}
+
 /// Revolutions the way in which the thread is cut.
 double Interpolator::turned(numeric::DoubleDouble time) const {
   return way() * spindle_->revolutions(time.value());

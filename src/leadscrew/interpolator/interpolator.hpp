@@ -62,6 +62,8 @@ class Interpolator {
   bool has_left_step() const { return has_left_; }
   /// Is motion on a line in step with the spindle, or waits for the index there?
   bool is_in_step() const { return thread_.has_value(); }
+  /// So fast the spindle turns at the next word, revolutions per minute, either way; 0 where none is followed.
+  double spindle_speed() const;
   /// The lines that were cut in step so far.
   const ThreadFigures& threads() const { return threads_; }
   /// The loaded chunk's part has ended (wants_chunk()), and another will be loaded, or put in its place: what no word has

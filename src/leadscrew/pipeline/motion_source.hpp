@@ -62,6 +62,12 @@ class MotionSource {
   /// The same of the tool that a move is made with (base::Event::Kind::tool_offset, tip_control).
   void tell_tool() { builder_.tell_tool(); }
 
+  /// Before the first chunk: the cycle follows the machine's spindle, if it has one (planner::Planner::follow_spindle).
+  void follow_spindle() {
+    if (machine_.threads_follow()) builder_.tell_revolutions();
+    planner_.follow_spindle();
+  }
+
   /// What the move that on_move gets has to do with a surface.
   const gcode::MachinedMove& machined() const { return reader_ ? reader_->machined() : no_surface; }
 

@@ -10,7 +10,9 @@ PathSurvey::PathSurvey(base::Borrowed<machine::Machine> machine, const geometry:
       constraints_(machine_),
       feeds_(constraints_),
       builder_(machine, toolpath::tables_for_times),
-      bound_(machine_) {}
+      bound_(machine_) {
+  if (machine_.threads_follow()) builder_.tell_revolutions();
+}
 
 std::optional<FeedExcess> PathSurvey::observe(const gcode::Move& move) {
   builder_.push(move);

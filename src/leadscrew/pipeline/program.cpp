@@ -46,7 +46,7 @@ Program::Program(MoveInput moves, base::Borrowed<machine::Machine> machine, cons
 void Program::watch_path() {
   if (machine_.threads_follow()) {
     interpolator_.follow(*machine_.spindle);
-    source_.planner().follow_spindle();
+    source_.follow_spindle();
   }
   source_.on_move = [this](const gcode::Move& move) { account(move); };
   source_.on_element = [this](const toolpath::Element& element) { bound_.push(element); };
@@ -107,7 +107,8 @@ std::span<const base::Word> Program::cycle(std::span<base::Word> words) {
 /// As many of the chunk's.
 void Program::tell_events(std::size_t count, base::Tick tick) {
   for (; told_ < count; ++told_) {
-    if (events_) events_(planner::passed_at(tick, chunk_.event(told_)));
+    const planner::PlacedEvent& event = chunk_.event(told_);
+    if (events_ && event.kind != base::Event::Kind::feed_per_revolution) events_(planner::passed_at(tick, event));
   }
 }
 
@@ -146,6 +147,7 @@ void Program::conclude_probing() {
 }
 
 bool Program::plan_next() {
+  if (machine_.threads_follow()) source_.planner().spindle_turns(interpolator_.spindle_speed());
   std::optional<planner::Chunk> chunk = source_.next();
   summary_.blocks = source_.blocks();
   if (source_.has_read_all() && !bound_is_known_) {

@@ -5,6 +5,7 @@
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <leadscrew/toolpath/tolerance_space.hpp>
 #include <leadscrew/toolpath/travel.hpp>
+#include <limits>
 
 namespace leadscrew::pipeline {
 
@@ -74,6 +75,14 @@ std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
   if (move.is_of_tip && !rests) {
     observe_tip(move);
     return std::nullopt;
+  }
+  if (machine_.threads_follow() && move.feed.per_revolution > 0) {
+    const std::optional<FeedExcess> excess = feeds_.observe(move);
+    gcode::Move fastest = move;
+    fastest.feed.per_revolution = 0;
+    fastest.feed.value = std::numeric_limits<double>::infinity();
+    observe(fastest);
+    return excess;
   }
   switch (move.kind) {
     case gcode::Move::Kind::line:

@@ -34,6 +34,7 @@ enum class Effect : std::uint8_t {
   adaptive_feed,
   feed_hold,
   in_step,
+  feed_per_revolution,
 };
 
 Effect effect_of(base::Event::Kind kind) {
@@ -84,6 +85,8 @@ Effect effect_of(base::Event::Kind kind) {
     case Kind::spindle_in_step:
     case Kind::rigid_tap:
       return Effect::in_step;
+    case Kind::feed_per_revolution:
+      return Effect::feed_per_revolution;
     default:
       return Effect::none;
   }
@@ -102,11 +105,6 @@ bool begins_in_step(const base::Event& event) {
   AllowedOverrides behind;
   behind.pass(event);
   return behind.in_step;
-}
-
-/// Of the line's length in a revolution, where the event counts some axes only.
-double lead_along(const toolpath::Piece& piece, double lead) {
-  return lead / piece.feed_rate(0);
 }
 
 }  // namespace
@@ -277,7 +275,7 @@ std::optional<Chunk> Planner::plan() {
   if (closed_form_) {
     closed_form_->override_feed(feed_factor_);
     const std::optional<Chunk::InStep> step = in_step();
-    chunk = closed_form_->next(step ? std::numeric_limits<double>::infinity() : slice_);
+    chunk = closed_form_->next(step ? std::numeric_limits<double>::infinity() : slice_in_force());
     if (step) chunk->in_step = step;
   } else {
     chunk = look_ahead_.plan();
@@ -290,37 +288,6 @@ std::optional<Chunk> Planner::plan() {
   return follow_events(std::move(*chunk));
 }
 
-void Planner::take_lead(const base::Event& event) {
-  if (!base::is_in_step(event.kind)) return;
-  taps_ = event.kind == base::Event::Kind::rigid_tap || event.output == base::in_tapping_cycle;
-  lead_ = event.value;
-  if (lead_ > 0) return;
-  turns_ = 0;
-  is_in_thread_ = false;
-}
-
-void Planner::pass_turns(const toolpath::Piece& piece) {
-  if (lead_ > 0) turns_ += piece.axes().length() / lead_along(piece, lead_);
-}
-
-/// Of the section, if nothing of it has been handed out and it is a line in step with the spindle.
-std::optional<Chunk::InStep> Planner::in_step() {
-  const geometry::Line* line = last_->axes().line();
-  if (!follows_ || lead_ == 0 || look_ahead_.section().size() > 1 || closed_form_->rest() > 0 || line == nullptr)
-    return std::nullopt;
-  Chunk::InStep step{.lead = lead_along(*last_, lead_), .waits_for_index = !is_in_thread_};
-  step.limits = line_limits(*line, constraints_);
-  step.tolerance = machine_.tolerance;
-  if (taps_) {
-    step.tap_acceleration =
-        machine::tap_acceleration(*machine_.spindle, step.limits, step.lead, step.tolerance, machine_.period);
-  } else {
-    step.turns = std::max(turns_ - line->length() / step.lead, 0.0);
-  }
-  is_in_thread_ = true;
-  return step;
-}
-
 /// The closed form has ended: at the section's end, or at rest on the way, from where windows go on.
 void Planner::go_on_from(double s) {
   closed_form_.reset();
@@ -331,7 +298,7 @@ void Planner::go_on_from(double s) {
 
 void Planner::slice(double seconds) {
   slice_ = seconds;
-  look_ahead_.slice(seconds);
+  look_ahead_.slice(slice_in_force());
 }
 
 void Planner::override_feed(double factor) {
@@ -352,6 +319,8 @@ void Planner::come_to_rest() {
 
 /// What is asked for, as far as the events allow that motion has passed by the end of the last chunk.
 void Planner::take_factor() {
+  look_ahead_.slice(slice_in_force());
+  take_spindle();
   const double factor = asked_.factor(travelling_.overrides(), feed_factor_);
   if (factor == feed_factor_) return;
   feed_factor_ = factor;

@@ -69,6 +69,13 @@ class Planner {
   void override_feed(double factor);
   /// Adaptive feed, 0 … 1: a second factor, where the program has asked for it by M52. 0 holds.
   void adapt_feed(double factor);
+  /// So fast the spindle turns that the cycle follows, revolutions per minute, either way: where feed is per revolution (G95)
+  /// its share of S is one more factor, of which less than least_spindle_change is passed over unless it is 1; not below
+  /// least_spindle_factor, so that motion waits for no spindle that never turns. Chunks commit to no more than feed_slice
+  /// there.
+  void spindle_turns(double speed);
+  static constexpr double least_spindle_change = 0.005, least_spindle_factor = 0.02;
+  static constexpr double feed_slice = 0.04;  ///< s
   /// Motion comes to rest as soon as the limits allow, whatever the program says, and no chunk comes any more.
   void come_to_rest();
   /// What the program allows behind the last chunk.
@@ -117,6 +124,8 @@ class Planner {
   Chunk follow_events(Chunk chunk);
   void rest_for(const base::Event& event);
   void take_factor();
+  void take_spindle();
+  double slice_in_force() const;
   void take_lead(const base::Event& event);
   void pass_turns(const toolpath::Piece& piece);
   std::optional<Chunk::InStep> in_step();
@@ -135,6 +144,7 @@ class Planner {
   std::optional<Start> start_;  ///< not reached yet
   std::optional<geometry::Point> started_at_;
   double slice_ = std::numeric_limits<double>::infinity();
+  double spindle_speed_ = 0;  ///< revolutions per minute
   AskedOverrides asked_;
   double feed_factor_ = 1;                 ///< in force
   bool follows_ = false;                   ///< the cycle, a spindle

@@ -67,7 +67,8 @@ void TimeBound::push(const toolpath::Element& element) {
     return;
   }
   if (const auto* event = std::get_if<base::Event>(&element)) {
-    if (base::is_in_step(event->kind)) is_in_step_ = event->value > 0;
+    if (base::is_in_step(event->kind) || event->kind == base::Event::Kind::feed_per_revolution)
+      is_in_step_ = event->value > 0;
     return;
   }
   const auto* piece = std::get_if<toolpath::Piece>(&element);

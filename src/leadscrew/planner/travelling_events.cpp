@@ -46,7 +46,7 @@ void TravellingEvents::enter(toolpath::Piece& piece) {
 }
 
 void TravellingEvents::begin_at(double path_length, std::int64_t number) {
-  next_ = rest_ = rest_before_ = {path_length, number, next_.overrides};
+  next_ = rest_ = rest_before_ = {path_length, number, next_.overrides, next_.speed_of_feed};
 }
 
 void TravellingEvents::place(Chunk& chunk, const std::vector<base::Event>& before) {
@@ -56,7 +56,7 @@ void TravellingEvents::place(Chunk& chunk, const std::vector<base::Event>& befor
   next_.path_length += chunk.length;
   // At the end of all that has been entered: the same bits, wherever chunks are cut.
   if (std::abs(next_.path_length - entered_) <= nearly_all) next_.path_length = entered_;
-  rest_ = {next_.path_length + chunk.tail_length, next_.number, next_.overrides};
+  rest_ = {next_.path_length + chunk.tail_length, next_.number, next_.overrides, next_.speed_of_feed};
   if (chunk.pieces.empty()) return;
   const PartEnd end = end_of(chunk, chunk.segments.back(), chunk.end());
   PartEnd rest = end;
@@ -71,10 +71,10 @@ void TravellingEvents::place(Chunk& chunk, const std::vector<base::Event>& befor
       const bool is_committed = end.is_behind(piece, mark.s);
       (is_committed ? chunk.events : chunk.tail_events).push_back(placed(mark.event, piece, mark.s, mark.path_length));
       rest_.number = mark.number + 1;
-      rest_.overrides.pass(mark.event);
+      rest_.pass(mark.event);
       if (!is_committed) continue;
       next_.number = mark.number + 1;
-      next_.overrides.pass(mark.event);
+      next_.pass(mark.event);
     }
   }
 }

@@ -19,11 +19,13 @@ class TravellingEvents {
   /// Those on the chunk's pieces that no chunk before has handed out. `before`: to happen before it begins.
   void place(Chunk& chunk, const std::vector<base::Event>& before);
   /// An event that motion rests for, before the next chunk.
-  void rest_for(const base::Event& event) { next_.overrides.pass(event); }
+  void rest_for(const base::Event& event) { next_.pass(event); }
   /// Motion has come to rest by the tail of the chunk before the last.
   void refuse();
   /// What is allowed behind the last chunk.
   const AllowedOverrides& overrides() const { return next_.overrides; }
+  /// There: S of a feed per revolution, revolutions per minute; 0 of other feeds.
+  double speed_of_feed() const { return next_.speed_of_feed; }
   /// Motion has come to rest by the tail of the last chunk, and what was entered and lies behind is no more.
   void forget_rest();
 
@@ -34,6 +36,12 @@ class TravellingEvents {
     double path_length = 0;
     std::int64_t number = 0;
     AllowedOverrides overrides{};
+    double speed_of_feed = 0;
+
+    void pass(const base::Event& event) {
+      overrides.pass(event);
+      if (event.kind == base::Event::Kind::feed_per_revolution) speed_of_feed = event.value;
+    }
   };
 
   double entered_ = 0;          ///< path length of the pieces so far

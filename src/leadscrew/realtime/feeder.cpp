@@ -67,6 +67,7 @@ bool Feeder::take_next() {
   if (!chunk) {
     if (!ahead_before_) ahead_before_ = controller_.seconds_ahead();
     set_slice();
+    if (planning_.spindle_turns) planning_.spindle_turns(controller_.spindle_speed());
     chunk = planning_.next();
   }
   if (!chunk) {

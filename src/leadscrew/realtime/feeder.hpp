@@ -41,6 +41,8 @@ struct Planning {
   std::function<std::optional<planner::Chunk>()> next;  ///< none: the motion is held, or it has ended
   std::function<void()> refuse;                         ///< the last chunk came too late
   std::function<void(double)> override_feed;            ///< 0 … 2
+  /// So fast the spindle turns that the cycle follows, revolutions per minute, either way. Absent: it follows none.
+  std::function<void(double)> spindle_turns = {};
   /// May motion go on with this chunk, which begins at rest? While not, it waits there. Absent: always.
   std::function<bool(const planner::Chunk&)> lets = {};
   /// From now on chunks are to be about so long, s. Absent: they are as they come.

@@ -97,7 +97,7 @@ double PieceSource::length_of(const gcode::Move& move, FeedAxes axes) const {
 ProgrammedFeed PieceSource::feed_of(const gcode::Move& move) const {
   ProgrammedFeed feed;
   feed.axes = feed_axes_of(move, whole_.kind);
-  if (is_in_step_ && threads_follow_) {
+  if (threads_follow_ && (is_in_step_ || move.feed.per_revolution > 0)) {
     feed.value = std::numeric_limits<double>::infinity();
     return feed;
   }

@@ -19,7 +19,8 @@ struct RequiredStop {
 
 class PieceSource {
  public:
-  /// threads_follow: lines of threads and taps are as fast as a spindle that turns as it likes, and have no feed.
+  /// threads_follow: lines of threads and taps, and moves at a feed per revolution, are as fast as a spindle that turns as it
+  /// likes, and have no feed.
   PieceSource(MoveSource moves, const Metric& metric, bool threads_follow)
       : moves_(std::move(moves)), metric_(metric), threads_follow_(threads_follow), curve_(metric) {}
 

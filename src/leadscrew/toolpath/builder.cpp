@@ -11,6 +11,7 @@ namespace leadscrew::toolpath {
 
 namespace {
 
+constexpr double most_of_speed = 1.6;  // S over that for which feeds per revolution are planned, either way
 constexpr double most_stretched = 64;  // space of tolerances, either way
 
 double feed_of(const gcode::Move& move) {
@@ -124,10 +125,14 @@ Allowance Builder::allowance_of(const gcode::Move& move, const Piece& piece) con
 
 void Builder::move_along(const gcode::Move& move) {
   take_space(move);
+  if (told_speed_) take_revolutions(move);
   const ToleranceSpace space = space_.value_or(ToleranceSpace{});
   std::vector<Piece> pieces;
   if (!is_of_rounding(move, transformation_.get())) pieces = pieces_of(move, space);
-  const double feed = pieces.empty() ? 0 : feed_of(move);
+  const bool is_per_revolution = told_speed_ && move.feed.per_revolution > 0;
+  const double feed = pieces.empty()      ? 0
+                      : is_per_revolution ? *told_speed_ * move.feed.per_revolution
+                                          : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
   if (told_tool_ && !pieces.empty()) note_tool(move);
@@ -213,6 +218,18 @@ void Builder::note_feed(base::Line line, double feed) {
   if (!told_feed_ || *told_feed_ == told) return;
   told_feed_ = told;
   passed_.push_back({0, {base::Event::Kind::programmed_feed, told, line, 0, false}});
+}
+
+/// Motion rests where feeds per revolution begin and end; rapid motion between them is of either. All between are planned for
+/// one speed, so that motion goes on smoothly while the spindle takes up another S, as long as the factor of it leaves room.
+void Builder::take_revolutions(const gcode::Move& move) {
+  if (move.feed.mode == gcode::Feed::Mode::rapid) return;
+  const double each = move.feed.per_revolution, speed = each > 0 ? move.feed.value / each : 0;
+  if (speed > 0 ? speed <= most_of_speed * *told_speed_ && *told_speed_ <= most_of_speed * speed : *told_speed_ == 0) return;
+  flush();
+  told_speed_ = speed;
+  settle_events(true);
+  settled_.emplace_back(base::Event{base::Event::Kind::feed_per_revolution, speed, move.line, 0, true});
 }
 
 /// Likewise.

@@ -36,6 +36,9 @@ class Builder {
   void tell_feed() { told_feed_ = -1; }
   /// The same of the tool that a move is made with, and of what its feed is counted by (Event::tool_offset, tip_control).
   void tell_tool() { told_tool_ = ToldTool(); }
+  /// Motion rests where feeds per revolution begin and end, and an event says for which S they are planned
+  /// (Event::feed_per_revolution).
+  void tell_revolutions() { told_speed_ = 0; }
   /// No more moves will come.
   void finish();
   /// The next element that is settled, if there is one.
@@ -55,6 +58,7 @@ class Builder {
   template <class Blending>
   void take_settled(std::optional<Blending>& blending);
   void note_feed(base::Line line, double feed);
+  [[gnu::cold]] void take_revolutions(const gcode::Move& move);
   [[gnu::cold]] void note_tool(const gcode::Move& move);
   void flush();
   void settle_events(bool motion_follows);
@@ -72,6 +76,7 @@ class Builder {
   std::optional<ToleranceSpace> space_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
+  std::optional<double> told_speed_;  ///< revolutions per minute for which feeds per revolution are planned; 0: of others
   struct ToldTool {
     std::array<double, 3> offset{};
     bool is_of_tip = false;
