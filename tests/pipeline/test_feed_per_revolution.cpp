@@ -78,7 +78,8 @@ RC_GTEST_PROP(FeedPerRevolution, KeepsLimitsAlongCurves, ()) {
   double x = 0;
   for (int k = 0; k < 4; ++k) {
     x += v * between(0.02, 0.2);
-    std::snprintf(block, sizeof block, "G1 X%.3f Y%.3f S%.4f\n", x, v * between(-0.2, 0.2), 60 * turns * between(0.5, 1));
+    std::snprintf(block, sizeof block, "G1 X%.3f Y%.3f S%.4f\n", x, v * between(-0.2, 0.2),
+                  60 * turns * between(0.5, 1));
     text += block;
   }
   std::snprintf(block, sizeof block, "G1 Y0\nG2 X%.3f I%.3f J0\nG0 Y0\nG94 G1 X0 F6000\nM2\n", x + v * 0.1, v * 0.05);

@@ -175,9 +175,9 @@ inline constexpr std::array<char, user_functions * longest_code> user_codes = ma
 
 /// As a program writes it: "M8", "S", "M101".
 constexpr std::string_view code_of(const Event& event) {
-  constexpr std::string_view codes[] = {"M5",  "M3",  "M4",   "S",   "M7",    "M8",  "M9",   "T",   "M6",
-                                        "M0",  "M1",  "M60",  "M2",  "F",     "M62", "M63",  "M64", "M65",
-                                        "M67", "M68", "M19",  "M48", "M49",   "M50", "M51",  "M52", "M53",
+  constexpr std::string_view codes[] = {"M5",  "M3",  "M4",   "S",   "M7",    "M8",  "M9",    "T",   "M6",
+                                        "M0",  "M1",  "M60",  "M2",  "F",     "M62", "M63",   "M64", "M65",
+                                        "M67", "M68", "M19",  "M48", "M49",   "M50", "M51",   "M52", "M53",
                                         "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4", "G95"};
   if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
   const auto number = static_cast<std::size_t>(event.output);

@@ -18,11 +18,11 @@ namespace leadscrew::planner {
 /// What a program lets a host change, by the events that motion has passed. Threads tell it to each other in one
 /// atomic, hence its alignment.
 struct alignas(8) AllowedOverrides {
-  bool feed = true;       ///< M48, M49, M50
-  bool hold = true;       ///< M53
-  bool adaptive = false;  ///< M52
-  bool spindle = true;    ///< M48, M49, M51: the host's matter
-  bool in_step = false;   ///< with the spindle: neither feed, hold nor adaptive feed count
+  bool feed = true;             ///< M48, M49, M50
+  bool hold = true;             ///< M53
+  bool adaptive = false;        ///< M52
+  bool spindle = true;          ///< M48, M49, M51: the host's matter
+  bool in_step = false;         ///< with the spindle: neither feed, hold nor adaptive feed count
   bool per_revolution = false;  ///< G95: the spindle's speed counts
 
   void pass(const base::Event& event) {

@@ -74,8 +74,9 @@ class Planner {
   /// least_spindle_factor, so that motion waits for no spindle that never turns. Chunks commit to no more than feed_slice
   /// there.
   void spindle_turns(double speed);
-  static constexpr double least_spindle_change = 0.005, least_spindle_factor = 0.02;
-  static constexpr double feed_slice = 0.04;  ///< s
+  static constexpr double least_spindle_change = 0.005;  ///< of the factor
+  static constexpr double least_spindle_factor = 0.02;   ///< of the feed
+  static constexpr double feed_slice = 0.04;             ///< s
   /// Motion comes to rest as soon as the limits allow, whatever the program says, and no chunk comes any more.
   void come_to_rest();
   /// What the program allows behind the last chunk.

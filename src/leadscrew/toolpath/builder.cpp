@@ -130,9 +130,7 @@ void Builder::move_along(const gcode::Move& move) {
   std::vector<Piece> pieces;
   if (!is_of_rounding(move, transformation_.get())) pieces = pieces_of(move, space);
   const bool is_per_revolution = told_speed_ && move.feed.per_revolution > 0;
-  const double feed = pieces.empty()      ? 0
-                      : is_per_revolution ? *told_speed_ * move.feed.per_revolution
-                                          : feed_of(move);
+  const double feed = pieces.empty() ? 0 : is_per_revolution ? *told_speed_ * move.feed.per_revolution : feed_of(move);
   for (Piece& piece : pieces) piece.feed = feed;
   if (!pieces.empty()) note_feed(move.line, feed);
   if (told_tool_ && !pieces.empty()) note_tool(move);
@@ -225,7 +223,8 @@ void Builder::note_feed(base::Line line, double feed) {
 void Builder::take_revolutions(const gcode::Move& move) {
   if (move.feed.mode == gcode::Feed::Mode::rapid) return;
   const double each = move.feed.per_revolution, speed = each > 0 ? move.feed.value / each : 0;
-  if (speed > 0 ? speed <= most_of_speed * *told_speed_ && *told_speed_ <= most_of_speed * speed : *told_speed_ == 0) return;
+  if (speed > 0 ? speed <= most_of_speed * *told_speed_ && *told_speed_ <= most_of_speed * speed : *told_speed_ == 0)
+    return;
   flush();
   told_speed_ = speed;
   settle_events(true);

@@ -76,7 +76,8 @@ class Builder {
   std::optional<ToleranceSpace> space_;
   std::vector<EventMark> passed_;    ///< events where the next move begins
   std::optional<double> told_feed_;  ///< by the last event
-  std::optional<double> told_speed_;  ///< revolutions per minute for which feeds per revolution are planned; 0: of others
+  std::optional<double>
+      told_speed_;  ///< revolutions per minute for which feeds per revolution are planned; 0: of others
   struct ToldTool {
     std::array<double, 3> offset{};
     bool is_of_tip = false;
