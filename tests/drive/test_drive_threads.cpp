@@ -40,15 +40,17 @@ TEST(DriveThreads, AreThoseOfRunBitForBit) {
 }
 
 /// Feed per revolution, along lines and curves, while S changes, beside feed per minute and a thread: by the spindle's speed as
-/// the words come, so that they may differ from those of run where it changes.
+/// the words come, so that they are not those of run where it changes, but keep every limit as these do.
 TEST(DriveThreads, FeedPerRevolutionGoesWithTheSpindle) {
   const Folder folder;
   folder.write(
       "part.ngc",
-      "G21 G90 G94 G17 F1200\nM3 S600\nG95 F0.5\nG1 X30\nG64 P0.05\nG1 X40 Y10\nX30 Y20 S900\nG2 X10 Y20 I-10 J0\n"
-      "G1 X0 Y0\nG0 X5\nG94 G1 X10 F3000\nG18 G33 Z-10 K1\nG0 X15\nG0 Z0\nG95 F1\nM4 S300\nG1 X-10\nM5\nM2\n");
+      "G21 G90 G94 G17 F1200\nM3 S600\nG95 F2\nG1 X8\nG64 P0.05\nG1 X12 Y4\nX8 Y8 S900\nG2 X0 Y8 I-4 J0\nG0 X5\n"
+      "G94 G1 X10 F3000\nG18 G33 Z-10 K1\nG0 X15\nG0 Z0\nG95 F2\nM4 S300\nG1 X10\nM5\nM2\n");
   folder.write("lathe.toml", machine_with_spindle());
-  drive_without_a_tail(folder, {"--machine", "lathe.toml", "--events", "driven.csv", "--trace", "driven-words.csv"});
+  const Outcome driven = leadscrew(folder, {"drive", "part.ngc", "--machine", "lathe.toml", "--events", "driven.csv",
+                                            "--trace", "driven-words.csv"});
+  EXPECT_EQ(driven.status, 0) << driven.errors;
   EXPECT_FALSE(contains(folder.read("driven.csv"), "G95"));
   EXPECT_EQ(leadscrew(folder, {"verify", "driven-words.csv", "part.ngc", "--machine", "lathe.toml"}).status, 0);
 }
