@@ -42,6 +42,37 @@ inline std::vector<Row> rows_of(const std::string& csv) {
   return rows;
 }
 
+/// Rows of words without their times, the last where axes stand: the same whether or not motion waits there.
+inline std::vector<std::string> untimed(const std::string& csv) {
+  std::vector<std::string> rows;
+  std::istringstream text(csv);
+  std::string axes_before;
+  for (std::string line; std::getline(text, line);) {
+    constexpr int columns_before_axes = 4;
+    std::size_t from = 0;
+    for (int column = 0; column < columns_before_axes; ++column) from = line.find(',', from) + 1;
+    std::string axes = line.substr(from);
+    if (axes == axes_before) rows.pop_back();
+    rows.push_back(line.substr(line.find(',')));
+    axes_before = std::move(axes);
+  }
+  return rows;
+}
+
+/// Where motion stood longest, s, and Z there.
+struct Stand {
+  double seconds = 0, z = 0;
+};
+
+inline Stand longest_stand(const std::vector<Row>& rows) {
+  Stand longest;
+  for (std::size_t first = 0, k = 0; k < rows.size(); ++k) {
+    if (rows[k].q != rows[first].q) first = k;
+    if (rows[k].t - rows[first].t > longest.seconds) longest = {rows[k].t - rows[first].t, rows[k].q[2]};
+  }
+  return longest;
+}
+
 inline double distance(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
@@ -118,8 +149,9 @@ inline bool comes_to(const Folder& folder, double length) {
 
 /// Drives a program of less than a minute, planned to its end before motion begins: however slow the planner is, it is
 /// never late, and words are those of run.
-inline Outcome drive_without_a_tail(const Folder& folder, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"drive", "part.ngc", "--json", "--look-ahead", "60s", "--lead", "2s"});
+inline Outcome drive_without_a_tail(const Folder& folder, std::vector<std::string> arguments,
+                                    const std::string& lead = "2s") {
+  arguments.insert(arguments.begin(), {"drive", "part.ngc", "--json", "--look-ahead", "60s", "--lead", lead});
   Outcome driven = leadscrew(folder, arguments);
   EXPECT_EQ(driven.status, 0) << driven.errors;
   EXPECT_EQ(driven.json()["starvations"], 0);

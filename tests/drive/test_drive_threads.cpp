@@ -9,9 +9,9 @@
 namespace leadscrew::cli::testing {
 namespace test_drive_threads {
 
-/// The spindle turns on, the other way, faster and not at all between lines, and events lie between slices.
+/// The spindle turns on, the other way, faster and not at all between lines, events lie between slices, and a pause behind a thread.
 const std::string threads =
-    "G21 G90 G94 G18 F3000\nM3 S600\nG0 X5 Z2\nG33 Z-30 K1.5\nG0 X8\nG0 Z2\nX5.5\nS900\nG33 Z-10 K1\nG33 X6 Z-20 "
+    "G21 G90 G94 G18 F3000\nM3 S600\nG0 X5 Z2\nG33 Z-30 K1.5\nM0\nG0 X8\nG0 Z2\nX5.5\nS900\nG33 Z-10 K1\nG33 X6 Z-20 "
     "K1.5\nG0 X9\nZ2\nX5\nM5\nG4 P0.1\nM4 S450\nG76 P2 Z-15 I-1 J0.3 K0.9 R1 Q29.5 E2 L3\nG1 X7 Z0\nS300\nG1 X0\nM2\n";
 
 TEST(DriveThreads, AreThoseOfRunBitForBit) {
@@ -53,6 +53,20 @@ TEST(DriveThreads, FeedPerRevolutionGoesWithTheSpindle) {
   EXPECT_EQ(driven.status, 0) << driven.errors;
   EXPECT_FALSE(contains(folder.read("driven.csv"), "G95"));
   EXPECT_EQ(leadscrew(folder, {"verify", "driven-words.csv", "part.ngc", "--machine", "lathe.toml"}).status, 0);
+}
+
+/// Words are made half a second ahead, and the wait for an input begins behind the last of the thread: motion stands there for all
+/// of Q, and nothing of the path is lost.
+TEST(DriveThreads, AreCutWholeBeforeAnInputIsWaitedFor) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94 F3000\nM3 S600\nG0 Z2\nG33 Z-40 K1\nM66 P0 L3 Q1.5\nG1 X6\nM2\n");
+  folder.write("lathe.toml", machine_with_spindle());
+  drive_without_a_tail(folder, {"--machine", "lathe.toml", "--trace", "driven.csv"}, "500ms");
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--machine", "lathe.toml", "--trace", "run.csv"}).status, 0);
+  const Stand stand = longest_stand(rows_in(folder, "driven.csv"));
+  EXPECT_EQ(stand.z, -40);
+  EXPECT_GE(stand.seconds, 1.5);
+  EXPECT_TRUE(untimed(folder.read("driven.csv")) == untimed(folder.read("run.csv")));
 }
 
 /// Motion leaves the thread within limits, and goes on there.

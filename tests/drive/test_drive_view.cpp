@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 
-#include "command.hpp"
+#include "driven.hpp"
 
 namespace leadscrew::cli::testing {
 namespace test_drive_view {
@@ -60,6 +60,8 @@ class OnTerminal {
       return contains(shown_, text);
     });
   }
+  /// By the last look.
+  const std::string& shown() const { return shown_; }
   void forget() { shown_.clear(); }
 
   bool has_ended() {
@@ -187,6 +189,22 @@ TEST(DriveView, PausesAtM0AndM1UntilAskedToGoOn) {
   EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
   EXPECT_EQ(running.status(), 0);
   EXPECT_TRUE(running.shows("7"));
+}
+
+/// Words are made a second ahead; where motion stands for three until the spindle has taken up its speed, it does not pause.
+TEST(DriveView, PausesBehindAWholeThread) {
+  const Folder folder;
+  folder.write("part.ngc", "G21 G90 G94\nM3 S300\nG33 Z-10 K1\nM0\nG1 X6 F3000\nM2\n");
+  std::string slow = machine_with_spindle();
+  folder.write("slow.toml", slow.replace(slow.find("2000"), 4, "100"));
+  OnTerminal running(folder, {"drive", "part.ngc", "--machine", "slow.toml", "--lead", "1s", "--trace", "driven.csv"});
+  EXPECT_TRUE(running.shows("PAUSED in line 4"));
+  EXPECT_TRUE(contains(running.shown(), "Z   -10.00"));
+  running.press(" ");
+  EXPECT_TRUE(eventually([&] { return running.has_ended(); }));
+  EXPECT_EQ(running.status(), 0);
+  ASSERT_EQ(leadscrew(folder, {"run", "part.ngc", "--machine", "slow.toml", "--trace", "run.csv"}).status, 0);
+  EXPECT_TRUE(untimed(folder.read("driven.csv")) == untimed(folder.read("run.csv")));
 }
 
 TEST(DriveView, WaitsAtEachOfTwoPauses) {
