@@ -36,7 +36,9 @@ class Queued {
  public:
   /// capacity: chunks, the one in motion among them.
   explicit Queued(const machine::Machine& machine, std::size_t capacity = 8)
-      : machine_(machine), controller_(machine_.period, {}, capacity), source_(gcode::text_source(text), machine_, tools_, {}, nullptr) {
+      : machine_(machine),
+        controller_(machine_.period, {}, capacity),
+        source_(gcode::text_source(text), machine_, tools_, {}, nullptr) {
     source_.follow_spindle();
     source_.planner().slice(0.02);
     controller_.follow(*machine_.spindle);
@@ -158,7 +160,8 @@ TEST(ThreadsHandedOver, AreLeftAndNothingQueuedIsBegun) {
     } while (queued.append_next(words));
     EXPECT_LE(worst_ratio(words, machine), 1.001);
     EXPECT_EQ(words.back().state, base::MotionState::rest);
-    for (std::size_t k = 0; k < onward.size(); ++k) ASSERT_NO_FATAL_FAILURE(expect_same(words[from + k], onward[k])) << k;
+    for (std::size_t k = 0; k < onward.size(); ++k)
+      ASSERT_NO_FATAL_FAILURE(expect_same(words[from + k], onward[k])) << k;
     left_in_motion += onward.size() > 1 ? 1 : 0;
     if (begun < 0) continue;
     EXPECT_TRUE(controller.has_left_step());
