@@ -62,6 +62,34 @@ TEST(FeedPerRevolution, NeedsASpeedAndAFeedOfItsOwn) {
   EXPECT_EQ(read("G95 F0.1 S100\nG1 X1\nG94 X4\nM2\n").problems(), "3:1 missing-feed; ");
 }
 
+// Beside a simulated spindle, whose speed the feed goes by.
+TEST(FeedPerRevolution, IsToldOfASpindleThatStands) {
+  Conditions simulated;
+  simulated.machine.spindle = machine::Spindle{};
+  const auto problems = [&](const std::string& text) { return read(text + "M2\n", simulated).problems(); };
+  EXPECT_EQ(problems("G95 F0.1 S100\nG1 X1\nX2\n"), "2:1 spindle-stands; ");  // once
+  EXPECT_EQ(read("G95 F0.1 S100\nG1 X1\nM2\n", simulated).errors, 0);
+  EXPECT_EQ(problems("G95 F0.1 S100 M3\nG1 X1\nM5\nG0 X0\nG1 X1\nM4\nG1 X2\nM19\nG1 X3\n"),
+            "5:1 spindle-stands; 9:1 spindle-stands; ");
+  EXPECT_EQ(problems("G95 F0.1 S100\nM3 G1 X1\nG2 X3 I1\n"), "");
+  EXPECT_EQ(problems("G95 F0.1 S100\nG2 X2 I1\nG94 F100\nG1 X1\nG95 F0.1\nG1 X2\n"),
+            "2:1 spindle-stands; 6:1 spindle-stands; ");
+  EXPECT_EQ(problems("G7 G18 G0 X10\nG96 S50 D2000 M3\nG95 F0.1 G1 X5\nM5\nX4\n"), "5:1 spindle-stands; ");
+  // What the program decides.
+  for (const bool turns : {true, false}) {
+    const std::string begin = std::string("#1=") + (turns ? '1' : '0') + "\nG95 F0.1 S100\n";
+    EXPECT_EQ(problems(begin + "O1 IF [#1 GT 0]\nM3\nO1 ENDIF\nG1 X1\n"), turns ? "" : "6:1 spindle-stands; ");
+  }
+  // At rapid, per minute and in inverse time it does not matter.
+  EXPECT_EQ(problems("G95 F0.1 S100\nG0 X1\nG94 F100\nG1 X2\nG93 G1 X3 F10\n"), "");
+  // Fanuc's tapping cycles turn a spindle that stands.
+  simulated.options.dialect = Dialect::fanuc;
+  EXPECT_EQ(problems("S100\nG95 G98 G84 X1 Z-20 R-5 F1\n"), "");
+  EXPECT_EQ(problems("S100\nG95 G98 G81 X1 Z-20 R-5 F1\n"), "2:9 spindle-stands; ");
+  // Feed goes by S where none is simulated.
+  EXPECT_EQ(read("G95 F0.1 S100\nG1 X1\nM2\n").problems(), "");
+}
+
 // Speeds of the events after the first.
 std::vector<double> speeds(std::string_view text, const Conditions& conditions = {}) {
   std::vector<double> result;

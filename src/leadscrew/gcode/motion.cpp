@@ -63,6 +63,7 @@ void Motion::set_feed(const Block& block) {
     // A number that was a duration is no speed.
     if (mode != modal_.feed_mode) modal_.feed_known = false;
     if (mode != modal_.feed_mode && mode != FeedMode::inverse_time) modal_.feed_word = 0;
+    if (mode != modal_.feed_mode) told_standing_ = false;
     modal_.feed_mode = mode;
   }
   if (!block.has('F')) return;
@@ -112,12 +113,25 @@ bool Motion::feed_of(const Block& block, bool linear, bool given, Feed& feed) {
 // Of G95: as the spindle is to turn while the block begins (LinuxCNC manual, G Codes, "G93, G94, G95").
 bool Motion::feed_per_revolution(const Block& block, Feed& feed) {
   if (modal_.spindle_speed > 0) {
+    if (machine_.threads_follow()) tell_standing(block);
     feed.per_revolution = feed.value;
     feed.value *= modal_.spindle_speed;
     return true;
   }
   return error("spindle-stands", motion_column(block), "a feed per revolution while the spindle has no speed",
                "give S before, or G94");
+}
+
+// LinuxCNC's motion waits there until somebody turns the spindle. Tapping cycles turn one that stands. Once, where such feed
+// begins.
+void Motion::tell_standing(const Block& block) {
+  const bool taps = modal_.to_do == Code::G84 || modal_.to_do == Code::G74;
+  const bool stands = modal_.spindle == Code::M5 && !taps;
+  if (stands && !told_standing_) {
+    reporter_.warning("spindle-stands", motion_column(block), "a feed per revolution while the spindle stands",
+                      "give M3 or M4 before, or G94: motion creeps until the spindle turns");
+  }
+  told_standing_ = stands;
 }
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {

@@ -48,6 +48,7 @@ class Motion : Part {
   };
 
   bool feed_per_revolution(const Block& block, Feed& feed);
+  void tell_standing(const Block& block);
   bool bulges_outside(const ArcCircle& circle) const;
   bool arc_center(const Block& block, PlanePoint start, PlanePoint& center);
   bool report_circle(const Block& block, const ArcCircle& circle);
@@ -61,6 +62,7 @@ class Motion : Part {
 
   Travel& travel_;
   Outbox& outbox_;
+  bool told_standing_ = false;  // of the feed per revolution in force, that the spindle stands
 };
 
 }  // namespace leadscrew::gcode
