@@ -89,6 +89,23 @@ TEST(ProbeBodies, GoOnFromTheFaceInTheStateThatWasFound) {
             "-12.000 5.000 -20.000 1;-12.000 5.000 -20.000 1;12.000 5.000 -20.000 1;");
 }
 
+/// Away from the face, and along it, nothing is met but what stands there.
+TEST(ProbeBodies, AreFreeWhereContactWasLost) {
+  const Probe steps{.bodies = {{BodyKind::box, {0, 0, -30}, {40, 40, -5}}, {BodyKind::box, {40, 0, -30}, {60, 40, 0}}}};
+  const std::string on = "10.000 20.000 -5.000 1;", begin = "G0 X10 Y20 Z5\nG38.2 Z-10\nG38.4 Z5" + tell;
+  EXPECT_EQ(told(begin + "G38.3 Z5" + tell, steps), on + "10.000 20.000 5.000 0;");
+  EXPECT_EQ(told(begin + "G38.3 X30" + tell, steps), on + "30.000 20.000 -5.000 0;");
+  EXPECT_EQ(told(begin + "G38.2 X50" + tell, steps), on + "40.000 20.000 -5.000 1;");
+  EXPECT_EQ(told(begin + "G38.2 X30 Z-6" + tell, steps), on + on);
+  // Without a probing move that lost it, it touches where it stands.
+  EXPECT_EQ(told("G0 X10 Y20 Z5\nG38.2 Z-10\nG38.3 X30" + tell, steps), on);
+  const Probe plate{
+      .bodies = {{BodyKind::box, {-50, -50, -30}, {50, 50, 0}}, {BodyKind::bore, {0, 0, -20}, {0, 0, 1}, 10}}};
+  const std::string wall = "10.000 0.000 -5.000 1;", within = "G0 Z-5\nG38.2 X20\nG38.4 X0" + tell;
+  EXPECT_EQ(told(within + "G38.2 X-20" + tell, plate), wall + "-10.000 0.000 -5.000 1;");
+  EXPECT_EQ(told(within + "G38.2 X20" + tell, plate), wall + wall);
+}
+
 TEST(ProbeBodies, AreMeasuredFromWithin) {
   const Probe plate{.bodies = {{BodyKind::box, {0, 0, -30}, {100, 80, 0}},
                                {BodyKind::bore, {40, 30, -20}, {40, 30, 1}, 10},

@@ -195,6 +195,24 @@ TEST(ProbePatches, TripTheProbeOfAProgram) {
   EXPECT_EQ(told("G43.1 Z50\nG0 X10 Y10 Z5\nG38.2 Z-10" + tell, level()), "10.000 10.000 -3.000 1;");
 }
 
+/// Of either side the next contact is met only on the way back.
+TEST(ProbePatches, AreFreeOnTheSideToWhichContactWasLost) {
+  const std::string on = "10.000 10.000 -3.000 1;", begin = "G0 X10 Y10 Z5\nG38.2 Z-10\nG38.4 Z5" + tell;
+  EXPECT_EQ(told(begin + "G38.3 Z5" + tell, level()), on + "10.000 10.000 5.000 0;");
+  EXPECT_EQ(told(begin + "G38.3 X14 Y3 Z5" + tell, level()), on + "14.000 3.000 5.000 0;");
+  EXPECT_EQ(told(begin + "G38.3 X40" + tell, level()), on + "40.000 10.000 -3.000 0;");
+  EXPECT_EQ(told(begin + "G38.2 Z-10" + tell, level()), on + on);
+  EXPECT_EQ(told(begin + "G38.2 X40 Z-5" + tell, level()), on + on);
+  EXPECT_EQ(told(begin + "G38.5 X12" + tell + "G38.3 Z5" + tell, level()), on + on + "10.000 10.000 5.000 0;");
+  const std::string through = "G0 X10 Y10 Z5\nG38.2 Z-10\nG38.4 Z-10" + tell;  // it has no thickness
+  EXPECT_EQ(told(through + "G38.3 Z-10" + tell, level()), on + "10.000 10.000 -10.000 0;");
+  EXPECT_EQ(told(through + "G38.2 Z5" + tell, level()), on + on);
+  // A second one above.
+  Probe two = level();
+  two.patches.push_back({{1, 1}, {{0, 0, 4, 1}, {50, 0, 4, 1}, {0, 50, 4, 1}, {50, 50, 4, 1}}});
+  EXPECT_EQ(told("G0 X10 Y10 Z1\nG38.2 Z-10\nG38.4 Z3" + tell + "G38.2 Z9" + tell, two), on + "10.000 10.000 4.000 1;");
+}
+
 TEST(ProbePatches, AreCutOutByPockets) {
   Probe probe = level();
   probe.bodies = {{machine::ProbeBody::Kind::pocket, {20, 20, -10}, {30, 30, 10}}};

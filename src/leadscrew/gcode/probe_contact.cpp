@@ -41,6 +41,13 @@ double outside(const ProbeBody& body, const Vector& point) {
   return std::max({numeric::norm(cross(from, axis)) / height - body.radius, -along, along - height});
 }
 
+/// Of the axis that goes farthest.
+double longest_way(const base::AxisVector& way) {
+  double longest = 0;
+  for (const double each : way) longest = std::max(longest, std::abs(each));
+  return longest;
+}
+
 /// The shares t at which |m + t d| = radius, of vectors across an axis, or of any.
 void cross_round(const Vector& m, const Vector& d, double radius, const auto& add) {
   const double a = numeric::dot(d, d), b = numeric::dot(m, d);
@@ -131,32 +138,33 @@ base::AxisVector ProbeContact::at(const Line& line, double share) const {
   return numeric::sum(line.start, share, numeric::difference(line.target, line.start));
 }
 
-// Where nothing else begins or ends between.
-std::optional<base::AxisVector> ProbeContact::patch_between(const Line& line, double begin, double end) const {
+// The share of the line; where nothing else begins or ends between.
+std::optional<double> ProbeContact::patch_between(const Line& line, double begin, double end) const {
   if (probe_.patches.empty() || gap(at(line, (begin + end) / 2)).cut > contact_rounding) return std::nullopt;
   const base::AxisVector from = at(line, begin), to = at(line, end);
   const Vector tool = first_three(tool_);
   const auto share = first_meeting(probe_.patches, numeric::difference(first_three(from), tool),
                                    numeric::difference(first_three(to), tool));
-  return share ? std::optional(at({from, to}, *share)) : std::nullopt;
+  return share ? std::optional(begin + *share * (end - begin)) : std::nullopt;
 }
 
-std::optional<base::AxisVector> ProbeContact::change(const Line& line, bool to_contact) const {
-  double longest = 0;  // way of an axis
-  for (std::size_t i = 0; i < base::axis_count; ++i)
-    longest = std::max(longest, std::abs(line.target[i] - line.start[i]));
-  const std::vector<Crossing> found = crossings(line);
+// Looked for on the line beside, which is the line but for rounding; told on the line.
+std::optional<base::AxisVector> ProbeContact::change(const Line& line, const Line& beside, bool to_contact) const {
+  const double longest = longest_way(numeric::difference(line.target, line.start));
+  const double aside = longest_way(numeric::difference(beside.start, line.start));
+  const auto place_at = [&](double share) { return share * longest <= 2 * aside ? line.start : at(line, share); };
+  const std::vector<Crossing> found = crossings(beside);
   for (std::size_t k = 0; k < found.size(); ++k) {
     const double begin = found[k].share, end = k + 1 < found.size() ? found[k + 1].share : 1;
     if ((end - begin) * longest < shortest_stretch) continue;
     // Of two places: a line that passes a sphere within rounding may touch it at one.
     const bool is_inside =
-        touches(at(line, begin + 0.25 * (end - begin))) && touches(at(line, begin + 0.75 * (end - begin)));
+        touches(at(beside, begin + 0.25 * (end - begin))) && touches(at(beside, begin + 0.75 * (end - begin)));
     if (to_contact && !is_inside) {
-      if (const auto place = patch_between(line, begin, end)) return place;
+      if (const auto share = patch_between(beside, begin, end)) return place_at(*share);
     }
     if (is_inside != to_contact) continue;
-    base::AxisVector place = begin > 0 ? at(line, begin) : line.start;
+    base::AxisVector place = place_at(begin);
     const std::size_t axis = found[k].axis;
     if (axis < base::axis_count) place[axis] = found[k].coordinate + tool_[axis];
     return place;
@@ -164,15 +172,19 @@ std::optional<base::AxisVector> ProbeContact::change(const Line& line, bool to_c
   return std::nullopt;
 }
 
-std::optional<base::AxisVector> ProbeContact::contact(const base::AxisVector& start,
-                                                      const base::AxisVector& target) const {
-  if (const auto place = change({start, target}, true)) return place;
-  return touches(target) && target != start ? std::optional(target) : std::nullopt;
+std::optional<base::AxisVector> ProbeContact::contact(const base::AxisVector& start, const base::AxisVector& target,
+                                                      const base::AxisVector& left) const {
+  const double way = longest_way(left), aside = way > 0 ? 2 * shortest_stretch / way : 0;
+  const Line line{start, target}, beside{numeric::sum(start, aside, left), numeric::sum(target, aside, left)};
+  if (const auto place = change(line, beside, true)) return place;
+  // Not where the line goes along what was left.
+  const bool goes_along = way > 0 && touches(at(line, 0.5));
+  return touches(target) && target != start && !goes_along ? std::optional(target) : std::nullopt;
 }
 
 std::optional<base::AxisVector> ProbeContact::loss(const base::AxisVector& start,
                                                    const base::AxisVector& target) const {
-  return change({start, target}, false);
+  return change({start, target}, {start, target}, false);
 }
 
 }  // namespace leadscrew::gcode

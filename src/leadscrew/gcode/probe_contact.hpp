@@ -31,7 +31,10 @@ class ProbeContact {
 
   /// Where on the line from `start` to `target` the probe first is in contact, or out of it, seen from the other state. Empty
   /// where that is so nowhere. On faces across an axis that axis' coordinate is exact, elsewhere within rounding.
-  std::optional<base::AxisVector> contact(const base::AxisVector& start, const base::AxisVector& target) const;
+  /// `left`: the way, of any length, by which contact was lost where the line starts; none: it was not. The probe then stands
+  /// free on that side of what it left, and meets that only where the line leads back.
+  std::optional<base::AxisVector> contact(const base::AxisVector& start, const base::AxisVector& target,
+                                          const base::AxisVector& left = {}) const;
   /// The same for its loss; at the target alone it is none.
   std::optional<base::AxisVector> loss(const base::AxisVector& start, const base::AxisVector& target) const;
 
@@ -52,8 +55,8 @@ class ProbeContact {
     double material = 0, cut = 0;
   };
   Gap gap(const base::AxisVector& position) const;
-  std::optional<base::AxisVector> patch_between(const Line& line, double begin, double end) const;
-  std::optional<base::AxisVector> change(const Line& line, bool to_contact) const;
+  std::optional<double> patch_between(const Line& line, double begin, double end) const;
+  std::optional<base::AxisVector> change(const Line& line, const Line& beside, bool to_contact) const;
   std::vector<Crossing> crossings(const Line& line) const;
   void cross_plane(const Line& line, std::size_t axis, double plane, std::vector<Crossing>& found) const;
   void cross_body(const Line& line, const machine::ProbeBody& body, std::vector<Crossing>& found) const;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <leadscrew/gcode/probe_contact.hpp>
 #include <leadscrew/gcode/probing.hpp>
+#include <leadscrew/numeric/vectors.hpp>
 #include <utility>
 
 namespace leadscrew::gcode {
@@ -54,6 +55,7 @@ void Probing::search(const Block& block, const Search& search) {
     return;
   }
   search_ = search;
+  way_ = numeric::difference(target, frame_.position);
   made_ = true;
   const bool is_simulated = machine_.probe && options_.probing != ProbingMoves::real;
   if (!is_simulated) note_missing_probe();
@@ -85,7 +87,7 @@ void Probing::check_state(bool is_there) {
 }
 
 bool Probing::is_in_contact() const {
-  return released_ != frame_.position && ProbeContact(*machine_.probe, frame_.tool()).touches(frame_.position);
+  return !is_released() && ProbeContact(*machine_.probe, frame_.tool()).touches(frame_.position);
 }
 
 Probed Probing::simulated(const base::AxisVector& target) {
@@ -93,7 +95,8 @@ Probed Probing::simulated(const base::AxisVector& target) {
   if (is_in_contact() == search_.contact) return {true, true, start, start};
   const ProbeContact probe(*machine_.probe, frame_.tool());
   const std::optional<base::AxisVector> place =
-      search_.contact ? probe.contact(start, target) : probe.loss(start, target);
+      search_.contact ? probe.contact(start, target, is_released() ? released_->way : base::AxisVector{})
+                      : probe.loss(start, target);
   return place ? Probed{true, false, *place, *place} : Probed{false, false, target, target};
 }
 
@@ -118,8 +121,11 @@ void Probing::move_to(const base::AxisVector& target, const Probed& result, Feed
 // What the program learns of it.
 void Probing::settle(const Probed& result) {
   frame_.position = result.rest;
-  released_.reset();
-  if (result.found && !search_.contact) released_ = result.rest;
+  if (!result.found || search_.contact) {
+    released_.reset();
+  } else if (!is_released()) {
+    released_ = {result.rest, way_};
+  }
   const base::AxisVector point = in_program(result);
   parameters_.set_axes(contact_number, point);
   parameters_.set(found_number, result.found ? 1 : 0);

@@ -11,8 +11,9 @@
 //     #2000 … #2008   in Mach3 as #5061 … #5069
 //
 // The simulated probe (machine::Probe) is ideal: motion ends exactly where its state changes. There, on a face, it is in
-// the state that the move before was to reach, so that from contact the next move away ends where it begins. Where the
-// machine simulates none, contact is taken for granted at the point programmed.
+// the state that the move before was to reach, so that from contact the next move away ends where it begins, and behind that
+// only a move that leads back ends there, not one farther away or along the face. Where the machine simulates none, contact is
+// taken for granted at the point programmed.
 
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/probed.hpp>
@@ -51,6 +52,7 @@ class Probing : Part {
   void check_state(bool is_there);
   Probed simulated(const base::AxisVector& target);
   bool is_in_contact() const;
+  bool is_released() const { return released_ && released_->place == frame_.position; }
   void move_to(const base::AxisVector& target, const Probed& result, Feed feed);
   void settle(const Probed& result);
   void log(const Probed& result) const;
@@ -60,9 +62,15 @@ class Probing : Part {
   Motion& motion_;
   Travel& travel_;
   Outbox& outbox_;
-  Search search_;                             // of the move that was made last
-  bool made_ = false;                         // has one been made?
-  std::optional<base::AxisVector> released_;  // where contact was lost last
+  /// Where contact was lost, and the way on which it was, of any length: the probe stands free on that side.
+  struct Release {
+    base::AxisVector place{}, way{};
+  };
+
+  Search search_;                    // of the move that was made last
+  base::AxisVector way_{};           // of that, to the point programmed
+  bool made_ = false;                // has one been made?
+  std::optional<Release> released_;  // by the probing move before
   bool told_of_probe_ = false;
 };
 
