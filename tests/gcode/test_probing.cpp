@@ -2,7 +2,7 @@
 
 #include <leadscrew/gcode/canon.hpp>
 
-#include "reading.hpp"
+#include "probe_programs.hpp"
 
 namespace leadscrew::gcode {
 namespace test_probing {
@@ -17,33 +17,14 @@ Conditions with_probe(Dialect dialect = Dialect::leadscrew) {
   return conditions;
 }
 
-struct Found {
-  Reading reading;
-  std::vector<Remark> remarks;
-
-  /// What (PRINT,…) says, and points that are logged.
-  std::string said() const {
-    std::string text;
-    for (const Remark& remark : remarks) text += remark.text + ";";
-    return text;
-  }
-};
-
-Found probe(const std::string& program, Conditions conditions = with_probe()) {
-  Found found;
-  conditions.options.remarks = [&](const Remark& remark) {
-    if (remark.kind == Remark::Kind::print) found.remarks.push_back(remark);
-  };
-  found.reading = read(program + "\nM2\n", conditions);
-  return found;
+Printed probe(const std::string& program, const Conditions& conditions = with_probe()) {
+  return printed(program, conditions);
 }
 
-const std::string tell = "\n(PRINT,%.3f#5061 #5062 #5063 %d#5070)";
-
 TEST(Probing, EndsAtThePlane) {
-  const Found found = probe("G21 F60 G0 X10 Y5\nG38.2 Z-10" + tell);
+  const Printed found = probe("G21 F60 G0 X10 Y5\nG38.2 Z-10" + tell);
   EXPECT_EQ(found.reading.problems(), "");
-  EXPECT_EQ(found.said(), "10.000 5.000 -3.000 1;");
+  EXPECT_EQ(found.text, "10.000 5.000 -3.000 1;");
   const std::vector<Move> lines = found.reading.lines();
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_FALSE(lines[0].is_probing());
@@ -53,44 +34,44 @@ TEST(Probing, EndsAtThePlane) {
 }
 
 TEST(Probing, MeetsThePlaneOnASlantedLine) {
-  const Found found = probe("F60\nG38.2 X12 Y-9 Z-9" + tell + "\nG1 X0");
-  EXPECT_EQ(found.said(), "4.000 -3.000 -3.000 1;");
+  const Printed found = probe("F60\nG38.2 X12 Y-9 Z-9" + tell + "G1 X0");
+  EXPECT_EQ(found.text, "4.000 -3.000 -3.000 1;");
   EXPECT_EQ(xyz(found.reading.lines().back().end), (Point{0, -3, -3}));
 }
 
 TEST(Probing, EndsAtTheFirstOfSeveralPlanes) {
-  EXPECT_EQ(probe("F60\nG38.2 X-40 Z-12" + tell).said(), "-10.000 0.000 -3.000 1;");
-  EXPECT_EQ(probe("F60\nG38.2 X-40 Z-4" + tell).said(), "-20.000 0.000 -2.000 1;");
+  EXPECT_EQ(probe("F60\nG38.2 X-40 Z-12" + tell).text, "-10.000 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60\nG38.2 X-40 Z-4" + tell).text, "-20.000 0.000 -2.000 1;");
 }
 
 TEST(Probing, LeadsAwayUntilContactIsLost) {
-  EXPECT_EQ(probe("F60 G0 Z-5\nG38.4 X5 Z5" + tell).said(), "1.000 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60 G0 Z-5\nG38.4 X5 Z5" + tell).text, "1.000 0.000 -3.000 1;");
   // Of two planes both must be left.
-  EXPECT_EQ(probe("F60 G0 Z-5 X-21\nG38.4 X-11 Z5" + tell).said(), "-19.000 0.000 -3.000 1;");
-  EXPECT_EQ(probe("F60 G0 Z-5 X-25\nG38.4 X25 Z5" + tell).said(), "-15.000 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60 G0 Z-5 X-21\nG38.4 X-11 Z5" + tell).text, "-19.000 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60 G0 Z-5 X-25\nG38.4 X25 Z5" + tell).text, "-15.000 0.000 -3.000 1;");
 }
 
 TEST(Probing, LosesNoContactWhereAnotherPlaneIsMetBefore) {
-  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-39 Z-2" + tell).said(), "-19.500 0.000 -3.000 1;");
-  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-40 Z-2" + tell).said(), "-40.000 0.000 -2.000 0;");
-  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-41 Z-2" + tell).said(), "-41.000 0.000 -2.000 0;");
+  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-39 Z-2" + tell).text, "-19.500 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-40 Z-2" + tell).text, "-40.000 0.000 -2.000 0;");
+  EXPECT_EQ(probe("F60 G0 Z-4\nG38.5 X-41 Z-2" + tell).text, "-41.000 0.000 -2.000 0;");
 }
 
 TEST(Probing, GoesOnFromThePlaneInTheStateThatWasFound) {
-  EXPECT_EQ(probe("F60\nG38.2 Z-9\nG38.4 Z9" + tell + "\nG38.2 Z-9" + tell + "\nG91 G0 Z1\nG38.2 Z-5" + tell).said(),
+  EXPECT_EQ(probe("F60\nG38.2 Z-9\nG38.4 Z9" + tell + "G38.2 Z-9" + tell + "G91 G0 Z1\nG38.2 Z-5" + tell).text,
             "0.000 0.000 -3.000 1;0.000 0.000 -3.000 1;0.000 0.000 -3.000 1;");
 }
 
 TEST(Probing, TellsPlacesInTheProgramsCoordinatesAndUnits) {
-  EXPECT_EQ(probe("G21 F60 G10 L2 P1 X1 Y2 Z7\nG0 X10 Y5 Z10\nG38.2 Z-20" + tell).said(), "10.000 5.000 -10.000 1;");
-  EXPECT_EQ(probe("G20 F60 G0 X1 Z1\nG38.2 Z-1" + tell).said(), "1.000 0.000 -0.118 1;");
-  EXPECT_EQ(probe("F60 G10 L2 P1 R90\nG0 X4 Y1\nG38.2 Z-20" + tell).said(), "4.000 1.000 -3.000 1;");
-  EXPECT_EQ(probe("F60 G92 X100 Z50\nG38.2 Z10" + tell).said(), "100.000 0.000 47.000 1;");
+  EXPECT_EQ(probe("G21 F60 G10 L2 P1 X1 Y2 Z7\nG0 X10 Y5 Z10\nG38.2 Z-20" + tell).text, "10.000 5.000 -10.000 1;");
+  EXPECT_EQ(probe("G20 F60 G0 X1 Z1\nG38.2 Z-1" + tell).text, "1.000 0.000 -0.118 1;");
+  EXPECT_EQ(probe("F60 G10 L2 P1 R90\nG0 X4 Y1\nG38.2 Z-20" + tell).text, "4.000 1.000 -3.000 1;");
+  EXPECT_EQ(probe("F60 G92 X100 Z50\nG38.2 Z10" + tell).text, "100.000 0.000 47.000 1;");
 }
 
 TEST(Probing, CountsTheOffsetOfTheTool) {
-  const Found found = probe("F60 G43.1 Z10\nG0 Z5\nG38.2 Z-10" + tell);
-  EXPECT_EQ(found.said(), "0.000 0.000 -3.000 1;");
+  const Printed found = probe("F60 G43.1 Z10\nG0 Z5\nG38.2 Z-10" + tell);
+  EXPECT_EQ(found.text, "0.000 0.000 -3.000 1;");
   EXPECT_EQ(at(found.reading.lines().back().end, base::Axis::Z), 7);
 }
 
@@ -98,8 +79,8 @@ TEST(Probing, FindsNothingBeforeThePlane) {
   for (const char* const code : {"G38.3", "G38.5"}) {
     const std::string begin = std::string(code) == "G38.5" ? "F60 G0 Z-9\n" : "F60\n";
     const std::string end = std::string(code) == "G38.5" ? " Z-5" : " Z-2";
-    const Found found = probe(begin + code + end + tell);
-    EXPECT_EQ(found.said(),
+    const Printed found = probe(begin + code + end + tell);
+    EXPECT_EQ(found.text,
               "0.000 0.000" + (std::string(code) == "G38.5" ? std::string(" -5") : std::string(" -2")) + ".000 0;");
     EXPECT_EQ(found.reading.problems(), "");
   }
@@ -111,10 +92,10 @@ TEST(Probing, MustNotBeginInTheStateThatItLooksFor) {
   EXPECT_EQ(probe("F60 G0 Z-5\nG38.2 Z-9").reading.problems(), "2:1 probe-state; ");
   EXPECT_EQ(probe("F60\nG38.4 Z9").reading.diagnostics.at(0).code, "probe-state");
   // The others end where they begin (LinuxCNC, "EMCMOT_PROBE").
-  const Found found = probe("F60 G0 Z-5\nG38.3 Z-9" + tell);
-  EXPECT_EQ(found.said(), "0.000 0.000 -5.000 1;");
+  const Printed found = probe("F60 G0 Z-5\nG38.3 Z-9" + tell);
+  EXPECT_EQ(found.text, "0.000 0.000 -5.000 1;");
   EXPECT_EQ(found.reading.lines().size(), 1u);
-  EXPECT_EQ(probe("F60\nG38.5 Z9" + tell).said(), "0.000 0.000 0.000 1;");
+  EXPECT_EQ(probe("F60\nG38.5 Z9" + tell).text, "0.000 0.000 0.000 1;");
   // grbl refuses all four ("mc_probe_cycle").
   EXPECT_EQ(probe("F60 G0 Z-5\nG38.3 Z-9", with_probe(Dialect::grbl)).reading.problems(), "2:1 probe-state; ");
 }
@@ -137,11 +118,11 @@ TEST(Probing, IsRefusedAsLinuxCncDoes) {
       {"G93\nG38.2 Z-9", "2:1 missing-feed; "},
   };
   for (const auto& row : rows) EXPECT_EQ(probe(row.program).reading.problems(), row.problems) << row.program;
-  EXPECT_EQ(probe("F60\nG38.3 Z0" + tell).said(), "0.000 0.000 0.000 0;");
+  EXPECT_EQ(probe("F60\nG38.3 Z0" + tell).text, "0.000 0.000 0.000 0;");
 }
 
 TEST(Probing, IsModal) {
-  const Found found = probe("F60\nG38.3 X5\nY5\nG80\nX7", {});
+  const Printed found = probe("F60\nG38.3 X5\nY5\nG80\nX7", {});
   EXPECT_EQ(found.reading.problems(), "5:1 axis-without-motion; ");
   EXPECT_EQ(found.reading.lines().size(), 2u);
   EXPECT_TRUE(found.reading.lines()[1].is_probing());
@@ -155,8 +136,8 @@ TEST(Probing, TakesTheTimeOfG93ForTheWholeMove) {
 }
 
 TEST(Probing, WithoutASimulatedProbeTouchesWhereItLeads) {
-  const Found found = probe("F60\nG38.2 Z-10" + tell + "\nG38.2 Z-12" + tell, {});
-  EXPECT_EQ(found.said(), "0.000 0.000 -10.000 1;0.000 0.000 -12.000 1;");
+  const Printed found = probe("F60\nG38.2 Z-10" + tell + "G38.2 Z-12" + tell, {});
+  EXPECT_EQ(found.text, "0.000 0.000 -10.000 1;0.000 0.000 -12.000 1;");
   ASSERT_EQ(found.reading.diagnostics.size(), 1u);
   EXPECT_EQ(found.reading.diagnostics[0].code, "probe-not-simulated");
   EXPECT_EQ(found.reading.diagnostics[0].severity, base::Severity::note);
@@ -164,8 +145,8 @@ TEST(Probing, WithoutASimulatedProbeTouchesWhereItLeads) {
 }
 
 TEST(Skip, IsADialectsOwn) {
-  EXPECT_EQ(probe("F60\nG31 Z-10" + tell).said(), "0.000 0.000 -3.000 1;");
-  EXPECT_EQ(probe("F60\nG31 Z-2" + tell).said(), "0.000 0.000 -2.000 0;");
+  EXPECT_EQ(probe("F60\nG31 Z-10" + tell).text, "0.000 0.000 -3.000 1;");
+  EXPECT_EQ(probe("F60\nG31 Z-2" + tell).text, "0.000 0.000 -2.000 0;");
   EXPECT_EQ(read("G31 Z-10 F60\nM2\n", in_dialect(Dialect::linuxcnc)).problems(), "1:1 unknown-code; ");
   // G1 stays in force.
   const Reading fanuc = read("G1 X1. F60.\nG31 Z-10.\nZ5.\n#100=#5063\nX#100\nM30\n", with_probe(Dialect::fanuc));
