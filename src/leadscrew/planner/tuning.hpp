@@ -45,7 +45,6 @@ inline constexpr std::size_t knots_beyond = 3;  // after the last interval of a 
 /// half, for 1.5 times the work and calls of several times as long). Farther apart: less work.
 namespace least_time {
 inline constexpr double closeness = 1.5;
-inline constexpr double committed = 0.4;  // of a window, at least: more is planned less often, and nearer to its end
 /// Intervals at least that are left to the next. Fewer: it is refused where jerk has no room to change, and the end is crept along.
 inline constexpr std::size_t least_ahead = 100;
 /// Of t, as of the barrier method below. Slower: their optimum is followed more closely to where it bends away from the
@@ -78,9 +77,9 @@ inline constexpr std::size_t stopping_intervals = 20;
 inline constexpr double allowed_slowing = 1.0002;  // below, slowing time costs less than planning again
 /// The end of a window has influence over so many stopping distances before it, and over so many times to stop before
 /// those.
-inline constexpr double stops_felt = 4, stops_before = 1.2;
+inline constexpr double stops_felt = 2.5, stops_before = 1.2;
 inline constexpr std::size_t least_ahead = 16;  // intervals
-inline constexpr double committed = 0.25;       // of them, at least
+inline constexpr double committed = 0.4;        // of them, at least: more is planned less often, and nearer to its end
 inline constexpr double effort_of_proof = 3;    // units, of a segment
 }  // namespace window
 
@@ -117,7 +116,7 @@ inline constexpr double stops_committed = 3, stops_ahead = 4.5;
 inline constexpr double least_reach = 0.25;  // s
 /// Intervals times axes that move: so long does a window take to plan.
 inline constexpr std::size_t rows_of_a_window = 900;
-/// More: a greater part of each window is committed, a quarter of it where it reaches no farther than stops do.
+/// More: a greater part of each window is committed, two fifths of it where it reaches no farther than stops do.
 inline constexpr std::size_t least_intervals = 200, greatest_intervals = 300;
 inline constexpr double few_share = 0.6;           // of the intervals that a window may have
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it

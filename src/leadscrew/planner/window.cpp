@@ -30,7 +30,6 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section,
                          const constraints::Constraints& constraints, bool is_of_least_time) {
   const std::size_t n = profile.intervals();
   const double end = profile.knots().s[n];
-  const double least_share = is_of_least_time ? tuning::least_time::committed : committed;
   const std::size_t least_left = is_of_least_time ? tuning::least_time::least_ahead : least_ahead;
   std::size_t k = n;
   double since = 0, time_needed = infinity;
@@ -45,7 +44,7 @@ std::size_t commit_until(const SpeedProfile& profile, const Section& section,
     }
     if (n - k >= least_left && since >= time_needed) break;
   }
-  return std::max({k, static_cast<std::size_t>(least_share * static_cast<double>(n)), std::size_t{1}});
+  return std::max({k, static_cast<std::size_t>(committed * static_cast<double>(n)), std::size_t{1}});
 }
 
 /// Only from rest: x(s) becomes λ²x(s), and so does what follows.
