@@ -213,5 +213,15 @@ TEST(Canon, SurfaceSpeedComesInItsTurnBesideAContour) {
   EXPECT_LT(speed, text.find("STRAIGHT_FEED(", line + 1)) << text;
 }
 
+/// Nor does the spindle's following of X on a move before, kept back as well, tell that S.
+TEST(Canon, SurfaceSpeedWaitsForItsEventWhereXChangesBefore) {
+  const std::string text =
+      calls("G21 G61 G18 F600\nG96 S99 M3\nG0 X5 Z9\nG42.1 D1\nG0 X20 Z2\nG1 Y-4\nS100\nG1 Z-30\nG40\nM2\n");
+  const std::size_t line = text.find("STRAIGHT_FEED("), speed = text.find("SET_SPINDLE_SPEED(0, 100.0000)");
+  ASSERT_NE(speed, std::string::npos) << text;
+  EXPECT_LT(line, speed) << text;
+  EXPECT_LT(speed, text.find("STRAIGHT_FEED(", line + 1)) << text;
+}
+
 }  // namespace test_canon
 }  // namespace leadscrew::gcode

@@ -359,8 +359,10 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, const 
   if ((printed_.in_step || move.kind == Move::Kind::event) && write_in_step(move, frame, system, text)) return;
   if (modal.constant_surface_speed || printed_.surface_speed) {
     const bool is_speed = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_speed;
-    // Moves that cutter compensation keeps back are told when the program has been read beyond: S as its event comes.
-    write_spindle_mode(modal, is_speed || modal.cutter_side == Code::G40, text);
+    // Moves that cutter compensation keeps back are told when the program has been read beyond: S as its event comes, not
+    // where the spindle is told before to follow X.
+    const bool is_told_here = is_speed && move.line >= modal.surface_speed_line;
+    write_spindle_mode(modal, is_told_here || modal.cutter_side == Code::G40, text);
     if (is_speed && modal.constant_surface_speed) return;
   }
   if (move.kind == Move::Kind::event) return write_event(move.event, text);

@@ -80,6 +80,7 @@ void MachineEvents::set_speed(const Block& block) {
   modal_.spindle_speed = block['S'];
   if (modal_.constant_surface_speed) {
     modal_.surface_speed_word = block['S'];
+    modal_.surface_speed_line = modal_.line;
     modal_.surface_speed = block['S'] * (frame_.length_unit == 1 ? mm_in_metre : mm_in_foot);
     modal_.spindle_speed = speed_on_surface();
   }

@@ -45,6 +45,7 @@ struct ModalState {
   bool constant_surface_speed = false;  ///< G96
   double surface_speed = 0;             ///< mm/min, what S says in G96
   double surface_speed_word = 0;        ///< S of G96, as it was written
+  base::Line surface_speed_line{};      ///< where it was written
   double most_spindle_speed = std::numeric_limits<double>::infinity();  ///< revolutions per minute, in G96
   Code spindle = Code::M5;                                              ///< M3, M4 or M5
   bool mist = false;                                                    ///< M7

@@ -64,6 +64,7 @@ void SavedModes::bring_back_machine(const ModalState& before) {
   modal_.constant_surface_speed = before.constant_surface_speed;
   modal_.surface_speed = before.surface_speed;
   modal_.surface_speed_word = before.surface_speed_word;
+  modal_.surface_speed_line = before.surface_speed_line;
   modal_.most_spindle_speed = before.most_spindle_speed;
   if (modal_.spindle_speed != before.spindle_speed) outbox_.emit_event(Kind::spindle_speed, before.spindle_speed);
   modal_.spindle_speed = before.spindle_speed;
