@@ -99,7 +99,7 @@ TEST(LathesOfFanuc, ChangeToolsAndOffsetsByT) {
   EXPECT_EQ(story(reading), "r10,1 r13,41 r10,1");
   std::vector<double> changes;
   for (const base::Event& event : reading.events()) {
-    if (event.kind == base::Event::Kind::tool_change) changes.push_back(event.value);
+    if (base::changes_tool(event.kind)) changes.push_back(event.value);
   }
   EXPECT_EQ(changes, std::vector<double>{2});
   EXPECT_EQ(read("T0205\nM30\n", conditions).problems(), "1:1 unknown-tool; ");

@@ -34,6 +34,10 @@ TEST(Lint, FindsNothingInAPlainProgram) {
   EXPECT_EQ(found_in(ready + "G0 X10 Y10\nG1 Z-2 F20\nX50 F600\nG0 Z5\nX0\nM5\nM2\n"), "");
 }
 
+TEST(Lint, FindsThatTheSpindleStandsBehindAChangeOfTool) {
+  EXPECT_EQ(found_in(ready + "G1 Z-2 F20\nG0 Z5\nT2 M6\nG1 Z-2\nG0 Z5\nM2\n"), "7 lint-spindle-off; ");
+}
+
 TEST(Lint, FindsNothingInProbing) {
   EXPECT_EQ(found_in("G0 X0 Z5\nG38.2 Z-1 F20\nG38.2 X9\nM2\n"), "");
 }

@@ -106,6 +106,15 @@ TEST(Laser, IsDarkInRapidsAndDwells) {
   EXPECT_GE(dwelling, 200);
 }
 
+TEST(Laser, IsDarkBehindAChangeOfTool) {
+  int lit = 0;
+  for (const auto& [word, power] : run("G21 G90 G94 G61 F6000\nM3 S80\nG1 X20\nT1 M6\nX40\nM2\n", by_speed)) {
+    EXPECT_TRUE(word.position[0] <= 20 || power == 0) << base::count(word.tick);
+    lit += power > 0 ? 1 : 0;
+  }
+  EXPECT_GT(lit, 50);
+}
+
 /// A raster in one direction: what is asked for changes from line to line, at the first word on or behind the joint.
 TEST(Laser, ChangesWithTheWordThatPassesTheJoint) {
   std::string text = "G21 G90 G94 G64 P0.01 F6000\nM3 S0\nG1 X10\n";

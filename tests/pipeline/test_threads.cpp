@@ -35,13 +35,15 @@ struct Case {
     char block[160];
     double before = 0;
     made.text = "G21 G90 G94 G17 F600\n";
-    if (*rc::gen::arbitrary<bool>()) made.text += testing_support::point_tool(made.machine);
+    const bool by_tip = *rc::gen::arbitrary<bool>();
+    if (by_tip) made.text += testing_support::point_tool(made.machine);
     for (int k = *rc::gen::inRange(1, 4); k > 0; --k) {
       const double turns = 100 * between(0.01, 1), fastest = std::max(turns, before);  // revolutions per s
       const double lead = std::min(between(0.2, 6), least.velocity * 0.9 / fastest), v = lead * fastest;
       before = turns;
       const double rise = 2 * std::sqrt(v / least.jerk) + v / least.acceleration;
       const double length = v * (between(0.5, 2) + 12 * rise) + 2;
+      if (!by_tip && *rc::gen::arbitrary<bool>()) made.text += "T1 M6\nG4 P0.5\n";
       std::snprintf(block, sizeof block, "S%.3f M%d\nG33 X%.4f Z%.4f K%.4f\nG0 X%.4f\nZ0\nX0\n", 60 * turns,
                     *rc::gen::inRange(3, 5), length * between(0, 0.3), -length, lead, length);
       made.text += block;
@@ -190,6 +192,25 @@ TEST(Threads, OfAPassGoOnInPhaseAndPassesAreCongruent) {
   ASSERT_GE(phases.size(), 4u);
   for (const double phase : phases) EXPECT_NEAR(phase, phases.front(), 0.02 / 2);
   EXPECT_EQ(program.summary().threads.lines, 4 * static_cast<std::int64_t>(phases.size()));
+}
+
+/// A turret of a Fanuc lathe does not stop it.
+TEST(Threads, FollowASpindleThatTurnsOnBehindATurret) {
+  machine::Machine machine = machine::mill3();
+  machine.dialect = machine::Dialect::fanuc_lathe;
+  machine.spindle = machine::Spindle{.acceleration = 2000, .wander = 0.05, .wander_period = 3, .seed = 7};
+  gcode::ReaderOptions options;
+  options.dialect = machine.dialect;
+  const machine::ToolTable tools;
+  const std::string text =
+      "G97 S600 M3\nT0200\nG0 X20. Z2.\nG32 Z-10. F1.5\nT0300\nG0 Z2.\nG32 Z-10. F1.5\nM30\n";
+  const auto fail = [](const base::Diagnostic& problem) { ADD_FAILURE() << problem.message; };
+  pipeline::Program program(gcode::text_source(text), machine, tools, options, fail);
+  int turned = 0;
+  program.on_event([&](const base::PassedEvent& event) { turned += event.kind == Kind::turret_indexing ? 1 : 0; });
+  while (program.prepare()) program.cycle();
+  EXPECT_EQ(turned, 2);
+  EXPECT_EQ(program.summary().threads.lines, 2);
 }
 
 /// A word that stands for the index, and abort there and on the way: motion rests at once, and within limits.

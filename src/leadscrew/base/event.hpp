@@ -25,7 +25,7 @@ struct Event {
     coolant_flood,             ///< M8
     coolant_off,               ///< M9
     tool_prepare,              ///< T; value: tool number
-    tool_change,               ///< M6; value: tool number
+    tool_change,               ///< M6; value: tool number; the spindle stops
     pause,                     ///< M0
     optional_pause,            ///< M1
     pallet_pause,              ///< M60: a pause in which the pallet is changed
@@ -67,6 +67,7 @@ struct Event {
     /// G95; value: S for which the feeds of the blocks are planned that motion enters, revolutions per minute; 0 of other feeds.
     /// Only where a simulated spindle is followed (toolpath::Builder::tell_revolutions).
     feed_per_revolution,
+    turret_indexing,  ///< T of Fanuc's lathes: another tool, the spindle turns on; value: tool number
   };
   Kind kind = Kind::program_end;  ///< what
   double value = 0;               ///< as Kind says; else 0
@@ -95,6 +96,18 @@ constexpr bool is_with_motion(Event::Kind kind) {
 constexpr bool is_pause(Event::Kind kind) {
   using Kind = Event::Kind;
   return kind == Kind::pause || kind == Kind::optional_pause || kind == Kind::pallet_pause;
+}
+
+/// Is another tool at the work behind it?
+constexpr bool changes_tool(Event::Kind kind) {
+  return kind == Event::Kind::tool_change || kind == Event::Kind::turret_indexing;
+}
+
+/// Does the spindle stand behind it?
+constexpr bool stops_spindle(Event::Kind kind) {
+  using Kind = Event::Kind;
+  return kind == Kind::spindle_stop || kind == Kind::spindle_orientation || kind == Kind::tool_change ||
+         kind == Kind::program_end;
 }
 
 /// Does a program ask for the value of an input?
@@ -144,6 +157,7 @@ constexpr bool has_value(Event::Kind kind) {
     case Kind::tool_offset:
     case Kind::tip_control:
     case Kind::feed_per_revolution:
+    case Kind::turret_indexing:
       return true;
     default:
       return false;
@@ -178,7 +192,7 @@ constexpr std::string_view code_of(const Event& event) {
   constexpr std::string_view codes[] = {"M5",  "M3",  "M4",   "S",   "M7",    "M8",  "M9",    "T",   "M6",
                                         "M0",  "M1",  "M60",  "M2",  "F",     "M62", "M63",   "M64", "M65",
                                         "M67", "M68", "M19",  "M48", "M49",   "M50", "M51",   "M52", "M53",
-                                        "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4", "G95"};
+                                        "M66", "M66", "M100", "G33", "G33.1", "G43", "G43.4", "G95", "T"};
   if (event.kind != Event::Kind::user_function) return codes[static_cast<std::size_t>(event.kind)];
   const auto number = static_cast<std::size_t>(event.output);
   if (number >= detail::user_functions) return "M";

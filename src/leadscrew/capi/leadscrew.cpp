@@ -91,7 +91,7 @@ void take_tools(leadscrew_trajectory& trajectory) {
   trajectory.planned.tell_events([&](const base::PassedEvent& event) {
     if (event.kind == Kind::tool_offset) {
       held.offset[static_cast<std::size_t>(event.output)] = event.value;
-    } else if (event.kind == Kind::tool_change) {
+    } else if (base::changes_tool(event.kind)) {
       held.number = static_cast<std::int32_t>(event.value);
     } else {
       return;

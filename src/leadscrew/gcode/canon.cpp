@@ -264,6 +264,8 @@ void CanonWriter::write_event(const base::Event& event, std::string& text) {
     text += ")\n";
   } else if (event.kind == Kind::tool_prepare) {
     call("SELECT_TOOL(" + value + ")\n", text);
+  } else if (event.kind == Kind::turret_indexing) {
+    call("CHANGE_TOOL(" + value + ")\n", text);
   } else if (event.kind == Kind::tool_change) {
     call("START_CHANGE()\n", text);
     call("STOP_SPINDLE_TURNING(0)\n", text);

@@ -214,7 +214,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   m(Code::M66, 66, Group::output, linuxcnc, "waits for an input", manual_m, "PELQ"),
   m(Code::M67, 67, Group::output, linuxcnc, "analog output, with motion", manual_m, "EQ", "EQ"),
   m(Code::M68, 68, Group::output, linuxcnc, "analog output, at once", manual_m, "EQ", "EQ"),
-  m(Code::M6, 6, Group::tool, no_small, "change of tool", "NIST IR 6556, 3.6.3"),
+  m(Code::M6, 6, Group::tool, no_small, "change of tool; the spindle stops", "NIST IR 6556, 3.6.3"),
   m(Code::M61, 61, Group::tool, linuxcnc, "the tool in the spindle has this number", manual_m, "Q", "Q"),
   m(Code::M3, 3, Group::spindle, all, "spindle clockwise", "NIST IR 6556, 3.6.2", "$"),
   m(Code::M4, 4, Group::spindle, all, "spindle counterclockwise", "NIST IR 6556, 3.6.2", "$"),

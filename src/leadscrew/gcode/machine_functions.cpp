@@ -56,8 +56,7 @@ void MachineFunctions::turn_turret(const Block& block) {
   const int tool = *number / offsets, offset = *number % offsets;
   if (tool != 0 && tool != modal_.loaded_tool) {
     modal_.selected_tool = modal_.loaded_tool = tool;
-    outbox_.emit_event(Kind::tool_prepare, tool);
-    outbox_.emit_event(Kind::tool_change, tool);
+    outbox_.emit_event(Kind::turret_indexing, tool);
   }
   const machine::Tool* const found = offset == 0 ? nullptr : tools_.find(offset);
   frame_.set_tool(found ? found->offset : base::AxisVector{});

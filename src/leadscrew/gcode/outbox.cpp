@@ -44,6 +44,7 @@ bool Outbox::waits_for(base::Event::Kind kind) const {
     case Kind::spindle_stop:
       return machine_.spindle_waits;
     case Kind::tool_change:
+    case Kind::turret_indexing:
     case Kind::spindle_orientation:
     case Kind::digital_input:
     case Kind::analog_input:

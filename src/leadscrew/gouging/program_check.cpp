@@ -132,7 +132,7 @@ void ProgramCheck::follow(gcode::Reader reader, const Workpiece& workpiece) {
   Sweep sweep(workpiece, verdict_.tolerance);
   Move move;
   for (std::int64_t count = 1; reader.next(move) && !is_interrupted(count); ++count) {
-    if (move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::tool_change)
+    if (move.kind == Move::Kind::event && base::changes_tool(move.event.kind))
       hold(tools_.find(static_cast<int>(move.event.value)), sweep);
     if (!is_motion_of(move)) continue;
     const MachinedMove& machined = reader.machined();

@@ -20,8 +20,7 @@ constexpr std::uint64_t bit(Kind kind) {
   return std::uint64_t{1} << static_cast<unsigned>(kind);
 }
 constexpr std::uint64_t clockwise = bit(Kind::spindle_clockwise);
-constexpr std::uint64_t stops = bit(Kind::spindle_stop) | bit(Kind::spindle_orientation) | bit(Kind::program_end);
-constexpr std::uint64_t obeyed = clockwise | bit(Kind::spindle_counterclockwise) | bit(Kind::spindle_speed) | stops;
+constexpr std::uint64_t turns = clockwise | bit(Kind::spindle_counterclockwise) | bit(Kind::spindle_speed);
 
 }  // namespace
 
@@ -30,8 +29,9 @@ void Interpolator::turn_spindle(numeric::DoubleDouble time) {
   for (; turned_ < passed_; ++turned_) {
     const planner::PlacedEvent& event = chunk_->event(turned_);
     const std::uint64_t kind = bit(event.kind);
-    if ((kind & obeyed) == 0) continue;
-    if (kind != bit(Kind::spindle_speed)) direction_ = (kind & stops) != 0 ? 0 : kind == clockwise ? 1 : -1;
+    const bool stops = base::stops_spindle(event.kind);
+    if (!stops && (kind & turns) == 0) continue;
+    if (kind != bit(Kind::spindle_speed)) direction_ = stops ? 0 : kind == clockwise ? 1 : -1;
     const bool is_followed = thread_ && begins_at_depth();
     spindle_->turn(direction_ == 0 ? 0 : direction_ * event.value, time.value(),
                    is_followed ? chunk_->in_step->tap_acceleration : HUGE_VAL);

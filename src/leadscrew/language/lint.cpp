@@ -59,22 +59,11 @@ std::vector<base::Diagnostic> Lint::see(const Move& move, const gcode::Frame& fr
 
 void Lint::see_event(const base::Event& event) {
   using Kind = base::Event::Kind;
-  switch (event.kind) {
-    case Kind::tool_prepare:
-    case Kind::tool_change:
-      has_tool_ = true;
-      break;
-    case Kind::spindle_clockwise:
-    case Kind::spindle_counterclockwise:
-      spindle_on_ = true;
-      told_of_spindle_ = false;
-      break;
-    case Kind::spindle_stop:
-    case Kind::spindle_orientation:
-      spindle_on_ = false;
-      break;
-    default:
-      break;
+  if (event.kind == Kind::tool_prepare || base::changes_tool(event.kind)) has_tool_ = true;
+  if (base::stops_spindle(event.kind)) spindle_on_ = false;
+  if (event.kind == Kind::spindle_clockwise || event.kind == Kind::spindle_counterclockwise) {
+    spindle_on_ = true;
+    told_of_spindle_ = false;
   }
 }
 

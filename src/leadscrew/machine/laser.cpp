@@ -25,6 +25,8 @@ void LaserPower::observe(const base::Event& event) {
       if (by_spindle) asked_ = event.value;
       return;
     case Kind::spindle_stop:
+    case Kind::spindle_orientation:
+    case Kind::tool_change:
     case Kind::program_end:
       if (by_spindle) is_on_ = false;
       return;

@@ -56,6 +56,7 @@ Effect effect_of(base::Event::Kind kind) {
     case Kind::tool_prepare:
       return Effect::tool_prepared;
     case Kind::tool_change:
+    case Kind::turret_indexing:
       return Effect::tool;
     case Kind::digital_output_on_with_motion:
     case Kind::digital_output_off_with_motion:

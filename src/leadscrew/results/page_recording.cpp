@@ -45,7 +45,7 @@ PageRecording::PageRecording(const machine::Machine& machine) : machine_(machine
 
 void PageRecording::observe(const base::PassedEvent& event) {
   using Kind = base::Event::Kind;
-  if (event.kind == Kind::programmed_feed || event.kind == Kind::tool_offset || event.kind == Kind::tool_change)
+  if (event.kind == Kind::programmed_feed || event.kind == Kind::tool_offset || base::changes_tool(event.kind))
     ahead_.push_back(event);
 }
 
