@@ -12,14 +12,15 @@ constexpr double no_feed = std::numeric_limits<double>::infinity();
 
 /// Along a line every derivative is largest where a segment begins or ends: its polynomial is a cubic whose
 /// acceleration is monotonic and whose speed turns only where acceleration is 0, at a knot. On a curve the axes' shares
-/// change with the angle: look at least every 0.05 rad, 3 times a polynomial and 8 times a segment.
+/// change with the angle: look at least every 0.05 rad, 3 times a polynomial and 4 times a segment.
 int looks(const toolpath::AxisPath& axes, const Segment& segment) {
-  if (axes.line()) return segment.c4 == 0 && segment.c5 == 0 ? 1 : 8;
+  constexpr int fewest = 4;
+  if (axes.line()) return segment.c4 == 0 && segment.c5 == 0 ? 1 : fewest;
   const double begin = segment.s0.value(), end = evaluate(segment, segment.duration.value()).s;
   const geometry::Arc* arc = axes.arc();
-  if (!arc) return std::clamp(3 * static_cast<int>(axes.borders(begin, end) + 1), 8, 256);
+  if (!arc) return std::clamp(3 * static_cast<int>(axes.borders(begin, end) + 1), fewest, 256);
   const double angle = arc->angle_rate() * (end - begin);
-  return std::clamp(static_cast<int>(std::abs(angle) / 0.05), 8, 256);
+  return std::clamp(static_cast<int>(std::abs(angle) / 0.05), fewest, 256);
 }
 
 }  // namespace
