@@ -57,6 +57,14 @@ TEST(Subprograms, HaveProblemsInTheirFiles) {
   EXPECT_EQ(outcome.json()["diagnostics"][0]["file"], "part.ngc");
 }
 
+TEST(Subprograms, AreNamedWhereAToolFitsNoContourBetweenFiles) {
+  const Folder folder;
+  folder.write("main.ngc", "G41.1 D6\nG1 X10 F300\nX40\no<part> call\nG40 G1 X0 Y40\nM2\n");
+  folder.write("part.ngc", "o<part> sub\nY2\nX10\no<part> endsub\n");
+  const auto outcome = leadscrew(folder, {"check", "main.ngc"});
+  EXPECT_NE(outcome.errors.find("of line 3 of main.ngc and that of line "), std::string::npos) << outcome.errors;
+}
+
 TEST(Loops, WithoutEndAreErrors) {
   const Folder folder;
   folder.write("main.ngc", "G91\no1 while [1]\nG0 X1\nG0 X-1\no1 endwhile\nM2\n");

@@ -244,6 +244,40 @@ TEST(CutterCompensation, BeginsWithALineThatIsLongEnough) {
   EXPECT_EQ(problems("G41.1 D2\nG1 X10\nX20\nG40\nG2 X30 I5"), "6:1 cutter-exit; ");
 }
 
+TEST(CutterCompensation, IsLeftByALine) {
+  const std::string aside = "S100 M3 F600\nG0 Z5\nG41.1 D2\nG1 X10\nX20\nG40\n";
+  for (const char* const block : {"G33 Z-5 K1", "G33.1 Z-5 K1", "G38.3 X25 F60"})
+    EXPECT_EQ(problems(aside + block), "8:1 cutter-exit; ") << block;
+  EXPECT_EQ(problems(aside + "S200\nM8\nG1 X30\nG33.1 Z-5 K1"), "");
+}
+
+TEST(CutterCompensation, TellsThatNoToolIsLoaded) {
+  EXPECT_EQ(problems("G41\nG1 X10 F600\nX20\nG40 Y9"), "2:1 cutter-compensation; ");
+  EXPECT_EQ(problems("G41.1 D0\nG1 X10 F600\nX20\nG40 Y9"), "");
+}
+
+// A hole where the program stands is drilled there, not from where the tool stands.
+TEST(CutterCompensation, ComesBackBeforeACycle) {
+  for (const char* const cycle : {"G81 X20 Y20 Z-5 R5", "G81 X20 Y20 Z-5 R2", "G91 G81 Z-5 R0", "G84 X20 Y20 Z-5 R5"}) {
+    const Reading reading =
+        read("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\n" + std::string(cycle) + "\nG80\nG0 X30\nM2\n");
+    EXPECT_EQ(reading.problems(), "") << cycle;
+    bool is_back = false;
+    int holes = 0;
+    for (const Move& move : reading.moves) {
+      if (move.kind != Move::Kind::line || base::number(move.line) < 7 || base::number(move.line) > 7) continue;
+      is_back |=
+          move.feed.mode == Feed::Mode::rapid && at(move.end, base::Axis::Z) == 5 && at(move.end, base::Axis::X) == 20;
+      if (at(move.end, base::Axis::Z) == at(move.start, base::Axis::Z)) continue;
+      EXPECT_TRUE(is_back);
+      EXPECT_EQ(at(move.start, base::Axis::X), 20);
+      EXPECT_EQ(at(move.end, base::Axis::X), 20);
+      ++holes;
+    }
+    EXPECT_GE(holes, 2) << cycle;
+  }
+}
+
 TEST(CutterCompensation, RefusesWhatCannotStandBetween) {
   const auto between = [](const std::string& block, Dialect dialect = Dialect::leadscrew) {
     return problems("G41.1 D2\nG1 X10\nX20\n" + block + "\nG40\nG1 X30", in_dialect(dialect));

@@ -51,6 +51,7 @@ TEST(G10L2, IsInTheUnitsInForce) {
 }
 
 TEST(G10L20, MakesThePositionTheCoordinatesGiven) {
+  EXPECT_EQ(last_end("G10 L0\nG10 L2 P1 X10\nG0 X1\nM2\n").x, 11);
   EXPECT_EQ(last_end("G0 X50 Y7\nG10 L20 P1 X2\nG0 X0\nM2\n"), (Point{48, 7, 0}));
   EXPECT_EQ(last_end("G0 X50 Y7\nG92 X10\nG10 L20 P1 X2\nG0 X0\nM2\n"), (Point{48, 7, 0}));
 }

@@ -104,7 +104,8 @@ class SpindleOfEvents {
       spindle_.turn(way_ * event.value, t, tap_acceleration);
     } else if (event.kind == Kind::spindle_speed) {
       spindle_.turn(way_ * event.value, t);
-    } else if (event.kind == Kind::program_end || event.kind == Kind::spindle_stop || event.kind == Kind::tool_change) {
+    } else if (event.kind == Kind::program_end || event.kind == Kind::spindle_stop ||
+               event.kind == Kind::spindle_orientation || event.kind == Kind::tool_change) {
       spindle_.turn(0, t);
     }
   }

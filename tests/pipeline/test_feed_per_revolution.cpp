@@ -90,6 +90,24 @@ RC_GTEST_PROP(FeedPerRevolution, KeepsLimitsAlongCurves, ()) {
   RC_ASSERT(summary.bound_s <= summary.time_s * (1 + 1e-6));
 }
 
+/// A spindle that takes long to turn: motion creeps, in windows of many knots, which end in motion though all knots to rest
+/// have been placed. Rapids between.
+RC_GTEST_PROP(FeedPerRevolution, CreepsWhileTheSpindleTakesUpSpeed, ()) {
+  machine::Machine machine = machine::mill3();
+  machine.spindle = machine::Spindle{.acceleration = between(200, 2000), .wander = 0.05, .seed = 3};
+  char block[100];
+  std::snprintf(block, sizeof block, "G18 G21 G90 S%d M3\nG95 F0.2\n", 100 * *rc::gen::inRange(2, 9));
+  std::string text = block;
+  for (int k = *rc::gen::inRange(2, 7); k > 0; --k) {
+    std::snprintf(block, sizeof block, "G%d X%d Z%d\n", *rc::gen::inRange(0, 2), *rc::gen::inRange(0, 30),
+                  *rc::gen::inRange(0, 30));
+    text += block;
+  }
+  text += "M2\n";
+  RC_LOG() << text << testing_support::limits_with_spindle(machine);
+  testing_support::judged_run(text, machine, [](const base::PassedEvent&) {}, [](const base::Word&) {});
+}
+
 std::vector<base::Word> words_of(const std::string& text, const machine::Machine& machine) {
   const machine::ToolTable tools;
   pipeline::Program program(gcode::text_source(text), machine, tools, {},
@@ -115,6 +133,15 @@ TEST(FeedPerRevolution, IsThatOfSWhereTheSpindleDoesNotWander) {
   }
   EXPECT_GT(cruising, 1000);
   EXPECT_LT(slow, 0.25);  // of what is least, and no faster than the spindle
+}
+
+/// The end of a window in motion was where the section comes to rest: no knot was new.
+TEST(FeedPerRevolution, GoesOnWhereAllKnotsToRestAreThere) {
+  machine::Machine machine = machine::mill3();
+  machine.spindle = machine::Spindle{.acceleration = 500, .wander = 0.05, .seed = 3};
+  const std::vector<base::Word> words =
+      words_of("G18 G21 G90 S600 M3\nG95 F0.2\nG0 X1\nX11\nG1 Z20\nG0 X1 Z0\nG1 Z20\nZ60\nM2\n", machine);
+  EXPECT_NEAR(words.back().position[2], 60, 1e-12);
 }
 
 /// Without a simulated spindle, and in minutes, nothing changes.

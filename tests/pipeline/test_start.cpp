@@ -109,6 +109,27 @@ TEST(Start, PutsSpindleAndCoolantInForceAgain) {
   EXPECT_EQ(rest.events.back().kind, Kind::program_end);
 }
 
+/// The spindle that M6 has stopped, though a turret has turned since.
+TEST(Start, KeepsTheSpindleStopped) {
+  using Kind = base::Event::Kind;
+  machine::Machine machine = machine::mill3();
+  machine.dialect = machine::Dialect::fanuc_lathe;
+  gcode::ReaderOptions options;
+  options.dialect = machine.dialect;
+  const machine::ToolTable tools;
+  pipeline::MotionSource source(gcode::text_source("G97 S600 M3\nT0200 M6\nT0300\nG98 G1 X60. Z-50. F300\nM30\n"),
+                                machine, tools, options, nullptr);
+  source.planner().start_at(20, base::Line{4});
+  const auto chunk = source.next();
+  ASSERT_TRUE(chunk);
+  std::vector<Kind> kinds;
+  for (const base::Event& event : chunk->events) kinds.push_back(event.kind);
+  const auto on = std::ranges::find(kinds, Kind::spindle_clockwise), off = std::ranges::find(kinds, Kind::tool_change);
+  EXPECT_LT(on, off);
+  EXPECT_LT(off, std::ranges::find(kinds, Kind::turret_indexing));
+  EXPECT_NE(std::ranges::find(kinds, Kind::turret_indexing), kinds.end());
+}
+
 /// What goes in step with the spindle is told again where motion goes on in it, and overrides do not count there.
 TEST(Start, GoesOnInStepWithTheSpindle) {
   const machine::Machine machine = machine::mill3();

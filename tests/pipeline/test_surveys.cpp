@@ -3,6 +3,7 @@
 
 #include <leadscrew/gcode/reader.hpp>
 #include <leadscrew/pipeline/path_survey.hpp>
+#include <leadscrew/pipeline/program.hpp>
 #include <trunnion.hpp>
 #include <utility>
 
@@ -72,6 +73,31 @@ TEST(Surveys, CountNoDegreesAsLength) {
   look(quick, machine, text);
   EXPECT_GT(whole.bound_seconds(), 1);
   EXPECT_LE(quick.bound_seconds(), whole.bound_seconds());
+}
+
+// The curve turns back within 1e-6 mm, inside a step of the bound: slow there alone.
+TEST(Surveys, AreNotAboveAMotionThroughANearCusp) {
+  const machine::Machine machine = machine::mill3();
+  const machine::ToolTable tools;
+  pipeline::Program program(
+      gcode::text_source("G21 G90 F120\nG0 X100 Y15\nG5 X1 Y20 I-1 J-5 P-5 Q0.5\nG1 X15 Y100\nM2\n"), machine, tools,
+      {}, nullptr);
+  while (program.prepare()) program.cycle();
+  EXPECT_LE(program.summary().bound_s, program.summary().time_s);
+  EXPECT_GE(program.summary().bound_s, program.summary().time_s - 0.1);
+}
+
+// As fast as a spindle that is followed may turn: F and S say little.
+TEST(Surveys, LeaveThreadsToTheSpindle) {
+  machine::Machine machine = machine::mill3();
+  machine.spindle = machine::Spindle{.acceleration = 5000, .wander = 0.2, .wander_period = 1000, .seed = 3};
+  const std::string text = "S600 M3\nG0 Z100\nG33 Z-400 K1\nG33 Z100 K1\nG0 X10\nM2\n";
+  pipeline::PathSurvey whole(machine, {});
+  pipeline::QuickSurvey quick(machine, {});
+  look(whole, machine, text);
+  look(quick, machine, text);
+  EXPECT_LE(quick.bound_seconds(), whole.bound_seconds());
+  EXPECT_NEAR(quick.bound_seconds(), (100 + 500 + 500 + 10) / 200.0, 1e-3);
 }
 
 TEST(Surveys, TakeShortLinesTogether) {

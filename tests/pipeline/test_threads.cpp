@@ -43,7 +43,8 @@ struct Case {
       before = turns;
       const double rise = 2 * std::sqrt(v / least.jerk) + v / least.acceleration;
       const double length = v * (between(0.5, 2) + 12 * rise) + 2;
-      if (!by_tip && *rc::gen::arbitrary<bool>()) made.text += "T1 M6\nG4 P0.5\n";
+      if (!by_tip && *rc::gen::arbitrary<bool>())
+        made.text += std::string(*rc::gen::element("T1 M6", "M19 R30")) + "\nG4 P0.5\n";
       std::snprintf(block, sizeof block, "S%.3f M%d\nG33 X%.4f Z%.4f K%.4f\nG0 X%.4f\nZ0\nX0\n", 60 * turns,
                     *rc::gen::inRange(3, 5), length * between(0, 0.3), -length, lead, length);
       made.text += block;
@@ -202,8 +203,7 @@ TEST(Threads, FollowASpindleThatTurnsOnBehindATurret) {
   gcode::ReaderOptions options;
   options.dialect = machine.dialect;
   const machine::ToolTable tools;
-  const std::string text =
-      "G97 S600 M3\nT0200\nG0 X20. Z2.\nG32 Z-10. F1.5\nT0300\nG0 Z2.\nG32 Z-10. F1.5\nM30\n";
+  const std::string text = "G97 S600 M3\nT0200\nG0 X20. Z2.\nG32 Z-10. F1.5\nT0300\nG0 Z2.\nG32 Z-10. F1.5\nM30\n";
   const auto fail = [](const base::Diagnostic& problem) { ADD_FAILURE() << problem.message; };
   pipeline::Program program(gcode::text_source(text), machine, tools, options, fail);
   int turned = 0;

@@ -29,6 +29,13 @@ std::string example_of(Code code) {
       return "G10 L2 P1 X0 Y0 Z0";
     case Code::G31:
       return "G31 Z-10 F100";
+    case Code::G33:
+    case Code::G33_1:
+      return name(code) + " Z-10 K1";
+    case Code::G70_bolts:
+      return "G70 I20 L6";
+    case Code::G76:
+      return "G76 P1 Z-10 I-1 J0.3 K0.9";
     case Code::G52:
       return "G52 X0";
     case Code::G92:
@@ -222,7 +229,8 @@ void BlockCheck::check_axes(const Block& block) {
 // Reports the first of the words that a code needs and the block lacks.
 void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
   const std::uint32_t lacking = row(code).needs.bits & ~block.words;
-  if (lacking == 0) return;
+  const bool reloads = code == Code::G10 && block.has('L') && block['L'] == 0;  // the table of tools, which has no P
+  if (lacking == 0 || reloads) return;
   const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
   error("missing-word", column, name(code) + " lacks " + letter, example_of(code));
 }

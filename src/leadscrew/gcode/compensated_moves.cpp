@@ -107,10 +107,16 @@ void CutterCompensation::let_pass(Kept kept) {
   abandon();
 }
 
+// A thread or a probing move would go aslant.
+bool CutterCompensation::leads_back(const Move& move) {
+  if (move.kind == Move::Kind::event) return !base::is_in_step(move.event.kind) || move.event.value == 0;
+  return move.kind != Move::Kind::arc && move.kind != Move::Kind::nurbs && move.probes == ProbeSearch::nothing;
+}
+
 void CutterCompensation::leave(Kept kept) {
-  if (kept.move.kind == Move::Kind::arc || kept.move.kind == Move::Kind::nurbs) {
-    error("cutter-exit", column_, "the first move behind G40 is no line",
-          "a line, which leads to where the program says");
+  if (!leads_back(kept.move)) {
+    error("cutter-exit", column_, "the first move behind G40 is no line of G0 or G1",
+          "such a line, which leads to where the program says");
     phase_ = Phase::off;
     return decide(std::move(kept));
   }
@@ -314,8 +320,14 @@ void CutterCompensation::check_travel(const Kept& kept) {
 }
 
 std::string CutterCompensation::gouge_between(const KeptPlace& one, const KeptPlace& two) const {
-  return "the tool, of radius " + text(radius()) + " mm, does not fit between the contour of line " +
-         std::to_string(base::number(one.line)) + " and that of line " + std::to_string(base::number(two.line));
+  return "the tool, of radius " + text(radius()) + " mm, does not fit between the contour of line " + named(one, two) +
+         " and that of line " + std::to_string(base::number(two.line));
+}
+
+/// The line of the one: with its file, where that is another than the other's.
+std::string CutterCompensation::named(const KeptPlace& one, const KeptPlace& two) const {
+  const std::string line = std::to_string(base::number(one.line));
+  return base::file(one.line) == base::file(two.line) ? line : line + " of " + reporter_.file_of(one.line);
 }
 
 void CutterCompensation::refuse_corner(const KeptPlace& one, const KeptPlace& two) {

@@ -78,6 +78,7 @@ class CutterCompensation : Part {
   bool is_searched(const Move& move) const;
   bool is_left_to_search(const Move& next, const OffsetPiece& piece) const;
   void let_pass(Kept kept);
+  static bool leads_back(const Move& move);
   void leave(Kept kept);
   void enter(Kept kept);
   void enter_by_arc(Kept kept);
@@ -96,6 +97,7 @@ class CutterCompensation : Part {
   void refuse_corner(const KeptPlace& one, const KeptPlace& two);
   void report_gouge(const KeptPlace& one, const KeptPlace& two);
   std::string gouge_between(const KeptPlace& one, const KeptPlace& two) const;
+  std::string named(const KeptPlace& one, const KeptPlace& two) const;
   double radius() const;
   PlanePoint moved(PlanePoint point) const { return {point.first + origin_.first, point.second + origin_.second}; }
   void set_in_plane(base::AxisVector& place, PlanePoint point) const;

@@ -66,7 +66,9 @@ std::optional<Cutter> CutterRadius::of_compensation(const Block& block) {
   if (is_of_fanuc && block.has('D')) modal_.cutter = block['D'];
   if (is_of_fanuc && *number == 0 && (block.has('D') || modal_.cutter)) return Cutter{};
   if (*number == 0) number = modal_.loaded_tool;
-  return *number == 0 ? Cutter{} : of_tool(*number, column);
+  if (*number != 0) return of_tool(*number, column);
+  reporter_.warning("cutter-compensation", column, "no tool is loaded: its radius is 0", "T and M6 before it, or D");
+  return Cutter{};
 }
 
 }  // namespace leadscrew::gcode

@@ -157,7 +157,7 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
   plan.aside[base::index(first)] = series_->aside_first.value_or(0) * frame_.length_unit;
   plan.aside[base::index(second)] = series_->aside_second.value_or(0) * frame_.length_unit;
   if (!is_tilted_) plan.aside = frame_.direction_to_machine(plan.aside);
-  if (plan.code != Code::G87) return;
+  if (plan.code != Code::G87) return warn_of_wall(block);
   const char level = letter_aside(plan.drill);
   if (block.has(level)) series_->level = block[level];
   if (!series_->level || !(series_->aside_first || series_->aside_second)) {
@@ -167,6 +167,13 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
   const double zero = is_tilted_ ? 0 : frame_.offset()[base::index(plan.drill)];
   plan.level = series_->level.value_or(0) * frame_.length_unit * (is_tilted_ ? 1 : frame_.scale(plan.drill)) +
                (modal_.distance == Distance::absolute ? zero : plan.bottom);
+}
+
+// G76 of boring.
+void CannedCycles::warn_of_wall(const Block& block) {
+  if (series_->aside_first || series_->aside_second) return;
+  reporter_.warning("missing-word", motion_column(block), "the tool leaves along the wall: G76 lacks Q",
+                    "give Q, how far aside it leaves");
 }
 
 // A tapping cycle, and one that stops the spindle, goes on with what turned before.
@@ -230,6 +237,7 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
   const std::size_t drill = base::index(plan.drill);
   cycle_ = DrillCycle(plan);
   if (!can_tap(block, plan)) return;
+  if (modal_.tool_is_aside) come_back();
   at_ = plan.start;
   travel_.fails_outside(block);
   const double top = std::max(plan.clear_level, plan.start[drill]);
@@ -244,6 +252,15 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
     if (!travel_.inside_travel(block, placed(down)) || !travel_.inside_travel(block, placed(up))) return;
     if (aside != up && !travel_.inside_travel(block, placed(aside))) return;
   }
+}
+
+// Behind G40 the tool may still stand beside the contour, and the first hole lie where the program stands.
+void CannedCycles::come_back() {
+  const base::AxisVector hole = placed(cycle_.hole(0));
+  for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
+    if (hole[base::index(axis)] != frame_.position[base::index(axis)]) return;
+  }
+  outbox_.emit(Move::Kind::line).feed.mode = Feed::Mode::rapid;
 }
 
 // Where G70, G71 and G72 have their holes: I the radius or the distance, mm, J the first angle and K the step, degrees, L

@@ -40,6 +40,8 @@ class CannedCycles : Part {
   void plan_series(const Block& block, DrillCycle::Plan& plan);
   void set_cycle_feed(const Block& block);
   void begin(const Block& block, const DrillCycle::Plan& plan);
+  void come_back();
+  void warn_of_wall(const Block& block);
   bool prepare_event(Move& move, DrillCycle::Step::Kind kind) const;
   bool prepare_step_event(Move& move, bool in_step) const;
   std::optional<double> tap_lead() const;

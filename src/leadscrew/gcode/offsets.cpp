@@ -8,6 +8,7 @@ namespace {
 
 constexpr int most_of_fanuc = 300;  // G54.1 P
 constexpr int most_of_haas = 99;    // G154 P
+constexpr const char* levels_of_g10 = "L1, L2, L10, L11 or L20";
 
 // Calls f(axis, value of its word in mm or degrees) for each axis word.
 template <class F>
@@ -164,11 +165,14 @@ std::optional<int> Offsets::system_of(const Block& block, int kind) {
 // G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given; with Fanuc and Haas, L20 sets
 // one of G54.1 or G154 as L2 sets the others.
 void Offsets::set_system(const Block& block) {
-  if (!block.has('L') || !block.has('P')) return;
+  if (!block.has('L')) return;
   const std::optional<int> kind = as_integer(block['L']);
+  const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
+  if (kind == 0 && is_of_linuxcnc) return;  // reloads the table, which holds what G10 L1 has told of tools
+  if (!block.has('P')) return;
   if (kind == 1 || (kind && 10 <= *kind && *kind <= 13)) return set_tool(block, *kind);
   if (kind != 2 && kind != 20) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L1, L2, L10, L11 or L20");
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10);
     return;
   }
   const std::optional<int> which = system_of(block, *kind);
@@ -222,7 +226,7 @@ void Offsets::set_tool(const Block& block, int kind) {
   if (has_registers() && kind != 1) {
     set_register(block, kind, tool);
   } else if (kind > 11) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), "L1, L2, L10, L11 or L20");
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10);
     return;
   } else {
     tool.offset = offset_to_reach(block, kind, tool.offset);

@@ -76,7 +76,8 @@ class Reporter {
   bool full() const { return full_; }      ///< reading stops: most_errors were reported, or the program says so
   std::int64_t errors() const { return errors_; }
   const std::string& file() const { return file_of(line_.id); }  ///< of the line being read
-  base::Line line() const { return line_.id; }                   ///< being read
+  const std::string& file_of(base::Line line) const { return files_[static_cast<std::size_t>(base::file(line))]; }
+  base::Line line() const { return line_.id; }  ///< being read
   std::int64_t column(const char* p) const { return p - line_.begin + 1; }
   /// The byte of the line at a column of its text.
   char byte(std::int64_t column) const { return line_.begin[column - 1]; }
@@ -103,7 +104,6 @@ class Reporter {
     base::Line line{};
   };
   bool was_said(std::string_view code, base::Line line, std::int64_t column);
-  const std::string& file_of(base::Line line) const { return files_[static_cast<std::size_t>(base::file(line))]; }
 
   std::vector<std::string> files_;
   std::vector<Said> said_;

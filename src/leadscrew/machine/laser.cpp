@@ -14,6 +14,7 @@ void check_laser(const Laser& laser, std::vector<base::Diagnostic>& problems) {
 void LaserPower::observe(const base::Event& event) {
   using Kind = base::Event::Kind;
   const bool by_spindle = laser_.power == Laser::Power::spindle_speed;
+  if (by_spindle && base::stops_spindle(event.kind)) is_on_ = false;
   switch (event.kind) {
     case Kind::spindle_clockwise:
     case Kind::spindle_counterclockwise:
@@ -23,12 +24,6 @@ void LaserPower::observe(const base::Event& event) {
       return;
     case Kind::spindle_speed:
       if (by_spindle) asked_ = event.value;
-      return;
-    case Kind::spindle_stop:
-    case Kind::spindle_orientation:
-    case Kind::tool_change:
-    case Kind::program_end:
-      if (by_spindle) is_on_ = false;
       return;
     case Kind::analog_output_with_motion:
     case Kind::analog_output:

@@ -72,6 +72,7 @@ class QuickSurvey : public Survey {
 
  private:
   void observe_tip(const gcode::Move& move);
+  std::optional<FeedExcess> observe_move(const gcode::Move& move);
   std::optional<FeedExcess> observe_line(const gcode::Move& move);
   std::optional<FeedExcess> observe_curve(const gcode::Move& move);
   void chain_on(const gcode::Move& move);
@@ -93,6 +94,7 @@ class QuickSurvey : public Survey {
       slowness_{};  ///< the reciprocal of each axis' velocity, s/mm or s/degree; 0 for an axis that is lacking
   Chain chain_;
   double seconds_ = 0;
+  bool is_in_step_ = false;  ///< with a spindle
 };
 
 }  // namespace leadscrew::pipeline

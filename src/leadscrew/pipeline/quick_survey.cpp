@@ -76,14 +76,19 @@ std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
     observe_tip(move);
     return std::nullopt;
   }
-  if (machine_.threads_follow() && move.feed.per_revolution > 0) {
+  if (move.kind == gcode::Move::Kind::event && base::is_in_step(move.event.kind)) is_in_step_ = move.event.value > 0;
+  if (machine_.threads_follow() && !rests && (move.feed.per_revolution > 0 || is_in_step_)) {
     const std::optional<FeedExcess> excess = feeds_.observe(move);
     gcode::Move fastest = move;
     fastest.feed.per_revolution = 0;
     fastest.feed.value = std::numeric_limits<double>::infinity();
-    observe(fastest);
+    observe_move(fastest);
     return excess;
   }
+  return observe_move(move);
+}
+
+std::optional<FeedExcess> QuickSurvey::observe_move(const gcode::Move& move) {
   switch (move.kind) {
     case gcode::Move::Kind::line:
       return observe_line(move);

@@ -33,13 +33,9 @@ class Placement {
     find_breaks();
     sample();
     if (!effort_.goes_on()) return {};
-    passes();
-    widths();
-    if (range_.starts_at_rest) {
-      knots_.s.push_back(first_knot());
-      knots_.breaks.push_back(false);
-    }
-    distribute();
+    if (!samples_.empty()) place_new();
+    // What is kept may reach to rest already: a window of more knots than one may have ended in motion before it.
+    if (range_.ends_at_rest && kept_ > 0 && knots_.s.size() == kept_) knots_.end_ramp = range_.end - knots_.s.back();
     if (!range_.ends_at_rest || !reaches_end_ || knots_.s.size() > most() + rest_knots)
       cut();
     else
@@ -208,6 +204,16 @@ class Placement {
     bisect(left, middle, depth + 1);
     samples_.push_back(middle);
     bisect(middle, right, depth + 1);
+  }
+
+  void place_new() {
+    passes();
+    widths();
+    if (range_.starts_at_rest) {
+      knots_.s.push_back(first_knot());
+      knots_.breaks.push_back(false);
+    }
+    distribute();
   }
 
   void passes() {

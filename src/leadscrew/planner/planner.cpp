@@ -23,6 +23,7 @@ enum class Effect : std::uint8_t {
   coolant_off,
   tool_prepared,
   tool,
+  turret,
   digital_output,
   analog_output,
   programmed_feed,
@@ -56,8 +57,9 @@ Effect effect_of(base::Event::Kind kind) {
     case Kind::tool_prepare:
       return Effect::tool_prepared;
     case Kind::tool_change:
-    case Kind::turret_indexing:
       return Effect::tool;
+    case Kind::turret_indexing:
+      return Effect::turret;
     case Kind::digital_output_on_with_motion:
     case Kind::digital_output_off_with_motion:
     case Kind::digital_output_on:

@@ -129,6 +129,8 @@ void TimeBound::add_curved(const toolpath::Piece& piece, bool ends_at_rest) {
     interval.length = next.s - here.s;
     interval.x_max = here.x_max;
     interval.x_end_max = next.x_max;
+    interval.top = here.x_max;
+    interval.top_end = next.x_max;
     interval.x_above = x_above(here, next, piece);
     add_squares(here, next, interval);
     settle_first_half();
@@ -217,11 +219,24 @@ void TimeBound::add_squares(const Knot& begin, const Knot& end, Interval& interv
     const auto limit = [](double& x, double by, double most) {
       if (x * by > most) x = most / by;
     };
-    if (turns_first) limit(interval.x_max, std::abs(first.by_x), first.limit);
-    if (turns_last) limit(interval.x_end_max, std::abs(last.by_x), last.limit);
+    // Where the row does not turn evenly all along, the curve may have turned next to the knot alone.
+    const auto turns_evenly = [&](const auto& turning, const auto& other) {
+      return std::abs(turning.by_x) * length <= 2 * std::abs(other.by_b);
+    };
+    const bool is_even = turns_first ? turns_evenly(first, last) : turns_last && turns_evenly(last, first);
+    const auto limit_begin = [&](double by, double most) {
+      limit(interval.x_max, by, most);
+      if (is_even) limit(interval.top, by, most);
+    };
+    const auto limit_end = [&](double by, double most) {
+      limit(interval.x_end_max, by, most);
+      if (is_even) limit(interval.top_end, by, most);
+    };
+    if (turns_first) limit_begin(std::abs(first.by_x), first.limit);
+    if (turns_last) limit_end(std::abs(last.by_x), last.limit);
     // What one end alone is asked bounds no slope.
-    if (square.by_begin == 0) limit(interval.x_end_max, square.by_end, square.change);
-    if (square.by_end == 0) limit(interval.x_max, square.by_begin, square.change);
+    if (square.by_begin == 0) limit_end(square.by_end, square.change);
+    if (square.by_end == 0) limit_begin(square.by_begin, square.change);
     if (square.by_begin > 0 && square.by_end > 0) interval.squares[interval.square_count++] = square;
   }
 }
@@ -303,8 +318,8 @@ double TimeBound::duration(const Interval& interval, double x_begin, double x_en
   const double length = interval.length, chord = (x_end - x_begin) / length;
   const auto [up, down] = greatest_slopes(interval, x_begin, x_end);
   const double rise = std::max(up, chord), fall = std::max(down, -chord);
-  const double x_top = interval.x_max + interval.x_above, x_fall = x_end + fall * length;
-  const double top = (interval.x_end_max - interval.x_max) / length;
+  const double x_top = interval.top + interval.x_above, x_fall = x_end + fall * length;
+  const double top = (interval.top_end - interval.top) / length;
   const auto x_at = [&](double s) {
     return std::min({x_begin + rise * s, x_top + top * s, x_end + fall * (length - s)});
   };

@@ -62,7 +62,8 @@ class TimeBound {
   struct Interval {
     double length = 0;                ///< > 0
     double x_max = 0, x_end_max = 0;  ///< at its two knots
-    double x_above = 0;               ///< how far between them x may lie above their line
+    double top = 0, top_end = 0;      ///< of their line: greater where x is that low next to a knot alone
+    double x_above = 0;               ///< how far between them x may lie above that line
     std::array<SquareBound, most_rows> squares{};
     std::size_t square_count = 0;
     double straight_b = 0;  ///< straight: the greatest |b|, which may change its sign inside
