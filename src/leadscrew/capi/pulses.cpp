@@ -1,5 +1,6 @@
 // The calls of leadscrew.h for reference pulses. They stand on the core alone, so that a browser has them too.
 
+#include <algorithm>
 #include <array>
 #include <leadscrew/nc/pulse_figures.hpp>
 #include <leadscrew/nc/pulse_reason.hpp>
@@ -125,7 +126,7 @@ std::vector<base::Diagnostic> problems_of(const Asked& asked) {
 void write_row(const leadscrew_pulses& pulses, std::int64_t* to) {
   const nc::PulseRun& run = pulses.measurement.run();
   *to++ = run.clock();
-  for (const std::int8_t step : run.last().step) *to++ = step;
+  to = std::copy(run.last().step.begin(), run.last().step.end(), to);
   *to++ = run.at().x;
   *to++ = run.at().y;
   const nc::Registers signals = nc::signals_of(run, pulses.curve);
