@@ -120,6 +120,9 @@ TEST(CannedCycles, BoreFromBehind) {
 TEST(CannedCycles, BoreFinely) {
   EXPECT_EQ(story(head + "G98 G76 X9 Y9 Z-5 R3 Q0.5\nM2\n", Dialect::fanuc),
             "r9,9,10 r9,9,3 f9,9,-5 stop r9.5,9,-5 r9.5,9,10 r9,9,10 cw");
+  for (const char* const q : {"", " Q0"})
+    EXPECT_EQ(read(head + "G98 G76 X9 Y9 Z-5 R3" + q + "\nX12\nM2\n", in_dialect(Dialect::fanuc)).problems(),
+              "4:5 missing-word; ");
 }
 
 TEST(CannedCycles, PeckLessAndLess) {

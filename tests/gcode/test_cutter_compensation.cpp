@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "reading.hpp"
+#include "trunnion.hpp"
 
 namespace leadscrew::gcode {
 namespace test_cutter_compensation {
@@ -251,6 +252,19 @@ TEST(CutterCompensation, IsLeftByALine) {
   EXPECT_EQ(problems(aside + "S200\nM8\nG1 X30\nG33.1 Z-5 K1"), "");
 }
 
+// Radius 0 leads the tool back, as no compensation does: each move begins where the last has ended.
+TEST(CutterCompensation, LeadsBackWhereItBeginsAgainWithoutARadius) {
+  const Reading reading = read("G0 Z5\nG41.1 D6\nG1 X20 F600\nY20\nG40\nG41.1 D0\nG1 X30\nG40 X40\nM2\n");
+  EXPECT_EQ(reading.problems(), "");
+  base::AxisVector at{};
+  for (const Move& move : reading.moves) {
+    if (move.kind != Move::Kind::line) continue;
+    EXPECT_EQ(move.start, at) << base::number(move.line);
+    at = move.end;
+  }
+  EXPECT_EQ(at[0], 40);
+}
+
 TEST(CutterCompensation, TellsThatNoToolIsLoaded) {
   EXPECT_EQ(problems("G41\nG1 X10 F600\nX20\nG40 Y9"), "2:1 cutter-compensation; ");
   EXPECT_EQ(problems("G41.1 D0\nG1 X10 F600\nX20\nG40 Y9"), "");
@@ -276,6 +290,32 @@ TEST(CutterCompensation, ComesBackBeforeACycle) {
     }
     EXPECT_GE(holes, 2) << cycle;
   }
+  // Below R the rise leads back.
+  const Reading below = read("G98 F600\nG41.1 D6\nG1 X20 Z-3\nY20\nG40\nG81 X20 Y20 Z-8 R2\nG80\nM2\n");
+  for (const Move& move : below.moves) {
+    const bool is_sideways = move.start[2] == -3 && move.end[2] == -3;
+    EXPECT_FALSE(move.feed.mode == Feed::Mode::rapid && is_sideways) << base::number(move.line);
+  }
+}
+
+TEST(CutterCompensation, ComesBackBeforeACycleInATiltedPlane) {
+  const machine::Machine machine = testing_support::trunnion();
+  const machine::ToolTable tools;
+  std::string problems;
+  Reader reader(
+      text_source("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\nG68.2 X0 Y0 Z0 I0 J0 K30\nG91 G81 Z-5 R0\n"
+                  "G80\nM2\n"),
+      machine, tools, {}, [&](const base::Diagnostic& problem) { problems += std::string(problem.code) + ' '; });
+  Move move;
+  int holes = 0;
+  while (reader.next(move)) {
+    if (move.kind != Move::Kind::line || base::number(move.line) != 8 || move.start[2] == move.end[2]) continue;
+    EXPECT_NEAR(move.start[0], move.end[0], 1e-8);
+    EXPECT_NEAR(move.start[1], move.end[1], 1e-8);
+    ++holes;
+  }
+  EXPECT_EQ(problems, "");
+  EXPECT_GE(holes, 2);
 }
 
 TEST(CutterCompensation, RefusesWhatCannotStandBetween) {

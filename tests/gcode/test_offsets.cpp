@@ -38,6 +38,12 @@ TEST(CoordinateSystems, DoNotMoveTheMachine) {
   EXPECT_EQ(last_end("G0 X5\nG10 L2 P2 X100 Y100\nG55 G0 Y1\nM2\n"), (Point{5, 101, 0}));
 }
 
+TEST(G10L0, ReloadsTheTableOfToolsInLinuxCnc) {
+  EXPECT_EQ(last_end("G10 L0\nG10 L2 P1 X10\nG0 X1\nM2\n").x, 11);
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas, Dialect::mach3, Dialect::grbl})
+    EXPECT_EQ(read("G10 L0\nM30\n", in_dialect(dialect)).problems(), "1:1 missing-word; ");
+}
+
 TEST(G10L2, LeavesAxesThatItDoesNotName) {
   EXPECT_EQ(last_end("G10 L2 P1 X10 Y20\nG10 L2 P1 Y30\nG0 X0 Y0 Z1\nM2\n"), (Point{10, 30, 1}));
 }
@@ -51,7 +57,6 @@ TEST(G10L2, IsInTheUnitsInForce) {
 }
 
 TEST(G10L20, MakesThePositionTheCoordinatesGiven) {
-  EXPECT_EQ(last_end("G10 L0\nG10 L2 P1 X10\nG0 X1\nM2\n").x, 11);
   EXPECT_EQ(last_end("G0 X50 Y7\nG10 L20 P1 X2\nG0 X0\nM2\n"), (Point{48, 7, 0}));
   EXPECT_EQ(last_end("G0 X50 Y7\nG92 X10\nG10 L20 P1 X2\nG0 X0\nM2\n"), (Point{48, 7, 0}));
 }

@@ -98,6 +98,15 @@ TEST(Surveys, LeaveThreadsToTheSpindle) {
   look(quick, machine, text);
   EXPECT_LE(quick.bound_seconds(), whole.bound_seconds());
   EXPECT_NEAR(quick.bound_seconds(), (100 + 500 + 500 + 10) / 200.0, 1e-3);
+  machine = testing_support::trunnion();
+  machine.spindle = machine::Spindle{.acceleration = 30'000, .wander = 0.2, .wander_period = 100, .seed = 6};
+  for (const char* const block : {"G33 Z-100 K1", "G95 F1\nG1 Z-100"}) {
+    pipeline::PathSurvey of_path(machine, {});
+    pipeline::QuickSurvey of_moves(machine, {});
+    look(of_path, machine, "S600 M3\nG43.4\n" + std::string(block) + "\nM2\n");
+    look(of_moves, machine, "S600 M3\nG43.4\n" + std::string(block) + "\nM2\n");
+    EXPECT_LE(of_moves.bound_seconds(), of_path.bound_seconds()) << block;
+  }
 }
 
 TEST(Surveys, TakeShortLinesTogether) {

@@ -68,7 +68,7 @@ typedef struct leadscrew_word {
 } leadscrew_word;
 
 /** What a program asks of the machine besides motion: "M3", "S", "T", "M6", "M8", "M49", "M67", "M101" … "M6" stops the
- *  spindle; a Fanuc lathe has no M6: there "T", for which motion rests, says that the turret has another tool at the work. */
+ *  spindle; "T" of a Fanuc lathe, for which motion rests, says that the turret has another tool at the work. */
 typedef struct leadscrew_event {
   size_t size;        /**< of this structure, sizeof */
   int64_t tick;       /**< of the word in whose period it happens */

@@ -34,6 +34,10 @@ std::string example_of(Code code) {
       return name(code) + " Z-10 K1";
     case Code::G70_bolts:
       return "G70 I20 L6";
+    case Code::G71_bolts:
+      return "G71 I20 K30 L6";
+    case Code::G72_bolts:
+      return "G72 I20 L6";
     case Code::G76:
       return "G76 P1 Z-10 I-1 J0.3 K0.9";
     case Code::G52:
@@ -229,7 +233,9 @@ void BlockCheck::check_axes(const Block& block) {
 // Reports the first of the words that a code needs and the block lacks.
 void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
   const std::uint32_t lacking = row(code).needs.bits & ~block.words;
-  const bool reloads = code == Code::G10 && block.has('L') && block['L'] == 0;  // the table of tools, which has no P
+  const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
+  // The table of tools, which has no P.
+  const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;
   if (lacking == 0 || reloads) return;
   const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
   error("missing-word", column, name(code) + " lacks " + letter, example_of(code));
@@ -290,7 +296,7 @@ void BlockCheck::check_threading(const Block& block) {
   if (motion != Code::G33 && motion != Code::G33_1 && motion != Code::G76) return;
   check_needs(block, motion, motion_column(block));
   if (block.words & axis_letter_bits) return;
-  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion) + " Z-10");
+  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion));
 }
 
 bool BlockCheck::follows_digit(std::uint32_t column) const {

@@ -118,6 +118,7 @@ void CutterCompensation::leave(Kept kept) {
     error("cutter-exit", column_, "the first move behind G40 is no line of G0 or G1",
           "such a line, which leads to where the program says");
     phase_ = Phase::off;
+    modal_.tool_is_aside = false;
     return decide(std::move(kept));
   }
   if (kept.move.start != kept.move.end) set_speed(kept.move);

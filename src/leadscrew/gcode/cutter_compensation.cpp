@@ -91,7 +91,8 @@ bool CutterCompensation::begin(const Block& block, const Cutter& cutter) {
   modal_.is_plain = false;
   plane_ = modal_.plane;
   if (phase_ != Phase::leaving) at_ = in_plane(frame_.position, plane_);
-  phase_ = radius == 0 ? Phase::passing : Phase::entering;
+  // A tool that stands beside a contour is yet to be led to where the program stands.
+  phase_ = radius != 0 ? Phase::entering : phase_ == Phase::leaving ? Phase::leaving : Phase::passing;
   if (radius != 0) travel_.release(first, second);
   return true;
 }

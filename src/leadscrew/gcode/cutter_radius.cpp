@@ -67,7 +67,8 @@ std::optional<Cutter> CutterRadius::of_compensation(const Block& block) {
   if (is_of_fanuc && *number == 0 && (block.has('D') || modal_.cutter)) return Cutter{};
   if (*number == 0) number = modal_.loaded_tool;
   if (*number != 0) return of_tool(*number, column);
-  reporter_.warning("cutter-compensation", column, "no tool is loaded: its radius is 0", "T and M6 before it, or D");
+  reporter_.warning("cutter-compensation", column, "no tool is loaded: its radius is 0",
+                    "a tool called before it, or a D above 0");
   return Cutter{};
 }
 

@@ -171,7 +171,8 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
 
 // G76 of boring.
 void CannedCycles::warn_of_wall(const Block& block) {
-  if (series_->aside_first || series_->aside_second) return;
+  const bool leaves_wall = series_->aside_first.value_or(0) != 0 || series_->aside_second.value_or(0) != 0;
+  if (leaves_wall || std::exchange(series_->told_of_wall, true)) return;
   reporter_.warning("missing-word", motion_column(block), "the tool leaves along the wall: G76 lacks Q",
                     "give Q, how far aside it leaves");
 }
@@ -237,7 +238,7 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
   const std::size_t drill = base::index(plan.drill);
   cycle_ = DrillCycle(plan);
   if (!can_tap(block, plan)) return;
-  if (modal_.tool_is_aside) come_back();
+  if (modal_.tool_is_aside) come_back(plan);
   at_ = plan.start;
   travel_.fails_outside(block);
   const double top = std::max(plan.clear_level, plan.start[drill]);
@@ -254,11 +255,14 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
   }
 }
 
-// Behind G40 the tool may still stand beside the contour, and the first hole lie where the program stands.
-void CannedCycles::come_back() {
-  const base::AxisVector hole = placed(cycle_.hole(0));
+// Behind G40 the tool may still stand beside the contour, and the first hole lie where the program stands. A rise to R would
+// lead back as well.
+void CannedCycles::come_back(const DrillCycle::Plan& plan) {
+  constexpr double rounding = 1e-9;  // mm, of a tilted plane
+  if (plan.start[base::index(plan.drill)] < plan.r_level) return;
   for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
-    if (hole[base::index(axis)] != frame_.position[base::index(axis)]) return;
+    const std::size_t i = base::index(axis);
+    if (std::fabs(cycle_.hole(0)[i] - plan.start[i]) > rounding) return;
   }
   outbox_.emit(Move::Kind::line).feed.mode = Feed::Mode::rapid;
 }

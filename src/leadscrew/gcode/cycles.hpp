@@ -40,7 +40,7 @@ class CannedCycles : Part {
   void plan_series(const Block& block, DrillCycle::Plan& plan);
   void set_cycle_feed(const Block& block);
   void begin(const Block& block, const DrillCycle::Plan& plan);
-  void come_back();
+  void come_back(const DrillCycle::Plan& plan);
   void warn_of_wall(const Block& block);
   bool prepare_event(Move& move, DrillCycle::Step::Kind kind) const;
   bool prepare_step_event(Move& move, bool in_step) const;
@@ -54,6 +54,7 @@ class CannedCycles : Part {
     Code code = Code::none;
     double initial_level = 0;  // mm, machine coordinates
     std::optional<double> r, bottom, dwell, peck, first_peck, peck_step, least_peck, aside_first, aside_second, level;
+    bool told_of_wall = false;
   };
 
   Motion& motion_;

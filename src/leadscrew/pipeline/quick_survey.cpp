@@ -72,13 +72,9 @@ QuickSurvey::QuickSurvey(base::Borrowed<machine::Machine> machine, const geometr
 
 std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
   const bool rests = move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event;
-  if (move.is_of_tip && !rests) {
-    observe_tip(move);
-    return std::nullopt;
-  }
   if (move.kind == gcode::Move::Kind::event && base::is_in_step(move.event.kind)) is_in_step_ = move.event.value > 0;
   if (machine_.threads_follow() && !rests && (move.feed.per_revolution > 0 || is_in_step_)) {
-    const std::optional<FeedExcess> excess = feeds_.observe(move);
+    const std::optional<FeedExcess> excess = move.is_of_tip ? std::nullopt : feeds_.observe(move);
     gcode::Move fastest = move;
     fastest.feed.per_revolution = 0;
     fastest.feed.value = std::numeric_limits<double>::infinity();
@@ -89,6 +85,11 @@ std::optional<FeedExcess> QuickSurvey::observe(const gcode::Move& move) {
 }
 
 std::optional<FeedExcess> QuickSurvey::observe_move(const gcode::Move& move) {
+  const bool rests = move.kind == gcode::Move::Kind::dwell || move.kind == gcode::Move::Kind::event;
+  if (move.is_of_tip && !rests) {
+    observe_tip(move);
+    return std::nullopt;
+  }
   switch (move.kind) {
     case gcode::Move::Kind::line:
       return observe_line(move);

@@ -223,7 +223,8 @@ void TimeBound::add_squares(const Knot& begin, const Knot& end, Interval& interv
     const auto turns_evenly = [&](const auto& turning, const auto& other) {
       return std::abs(turning.by_x) * length <= 2 * std::abs(other.by_b);
     };
-    const bool is_even = turns_first ? turns_evenly(first, last) : turns_last && turns_evenly(last, first);
+    const bool is_even =
+        turns_first != turns_last && (turns_first ? turns_evenly(first, last) : turns_evenly(last, first));
     const auto limit_begin = [&](double by, double most) {
       limit(interval.x_max, by, most);
       if (is_even) limit(interval.top, by, most);
