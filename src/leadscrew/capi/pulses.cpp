@@ -126,7 +126,8 @@ std::vector<base::Diagnostic> problems_of(const Asked& asked) {
 void write_row(const leadscrew_pulses& pulses, std::int64_t* to) {
   const nc::PulseRun& run = pulses.measurement.run();
   *to++ = run.clock();
-  to = std::copy(run.last().step.begin(), run.last().step.end(), to);
+  const auto step = run.last().step;
+  to = std::copy(step.begin(), step.end(), to);
   *to++ = run.at().x;
   *to++ = run.at().y;
   const nc::Registers signals = nc::signals_of(run, pulses.curve);
