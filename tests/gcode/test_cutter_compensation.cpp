@@ -111,6 +111,40 @@ TEST(CutterCompensation, ComesBackWithTheLineBehindG40) {
   EXPECT_EQ(way("G41.1 D2\nG40\nG2 X10 I5"), "a10,0");
 }
 
+// Whatever stands between G40 and the line, each move begins where the last has ended. First moves are those from where the
+// program stands, as LinuxCNC has them.
+TEST(CutterCompensation, GoesOnFromBesideTheContourWhereNoMoveIsBehindG40) {
+  const std::string aside = "G41.1 D6\nG1 X20\nY20\nG40\n";
+  const auto behind = [&](const std::string& text) {
+    const Reading reading = read_well("F600\n" + aside + text + "\nM2\n");
+    base::AxisVector at{};
+    for (const Move& move : reading.moves) {
+      EXPECT_EQ(move.start, at) << text << ", line " << base::number(move.line);
+      at = move.end;
+    }
+    return way(reading).substr(std::string("f17,3 f17,20 ").size());
+  };
+  EXPECT_EQ(behind("G41.1 D6\nG40\nX30"), "f30,20");
+  EXPECT_EQ(behind("G41.1 D6\nM8\nG40\nG41.1 D0\nG40\nG0 X30"), "e7 r30,20");
+  EXPECT_EQ(behind("G41.1 D4\nX40 Y33\nX60\nG40 X80"), "f38.91,34.6769 a40,35 f60,35 f80,33");
+  EXPECT_EQ(behind("G18\nG41.1 D4\nX40 Z-30\nZ-50\nG40 X60"), "f38,20,-30.6056 f38,20,-50 f60,20,-50");
+  EXPECT_EQ(behind("G18\nG41.1 D0\nX40 Z-30\nG40 X60"), "f40,20,-30 f60,20,-30");
+  // A line to where the program stands is no first move.
+  EXPECT_EQ(behind("G41.1 D2\nX20 Y20\nX50\nX80\nG40"), "f20,20 f50,21 f80,21");
+  EXPECT_EQ(behind("G93\nG41.1 D2\nX20 Y20 F60\nG40"), "f20,20");
+  EXPECT_EQ(behind("G28"), "r20,20 r0,0");
+  EXPECT_EQ(behind("G30 Y20"), "r20,20 r20,0");
+}
+
+// D0 beside a contour is on as any other.
+TEST(CutterCompensation, IsOnWithARadiusOfNothing) {
+  const std::string aside = "G41.1 D6\nG1 X20 F600\nY20\nG40\nG41.1 D0\n";
+  EXPECT_EQ(problems(aside + "X30\nG41.1 D4"), "8:1 cutter-compensation; ");
+  EXPECT_EQ(problems(aside + "G43.1 Z5"), "7:1 cutter-compensation; ");
+  EXPECT_EQ(problems(aside + "G18"), "7:1 cutter-compensation; ");
+  EXPECT_EQ(problems(aside + "G81 Z-5 R1"), "7:1 cutter-compensation; ");
+}
+
 TEST(CutterCompensation, TakesTheRadiusOfATool) {
   EXPECT_EQ(way("G41 D7\nG1 X10\nX20\nG40 Y30", with_tool(4)), "f10,2 f20,2 f20,30");
   EXPECT_EQ(way("T7 M6\nG42\nG1 X10\nX20\nG40 Y30", with_tool(4)), "e2 e2 f10,-2 f20,-2 f20,30");
@@ -298,24 +332,44 @@ TEST(CutterCompensation, ComesBackBeforeACycle) {
   }
 }
 
+Reading on_trunnion(const std::string& text, Dialect dialect = Dialect::leadscrew) {
+  Conditions conditions = in_dialect(dialect);
+  conditions.machine = testing_support::trunnion();
+  return read(text, conditions);
+}
+
+// Wherever the plane lies, and rounding leaves the place where the cycle begins.
 TEST(CutterCompensation, ComesBackBeforeACycleInATiltedPlane) {
-  const machine::Machine machine = testing_support::trunnion();
-  const machine::ToolTable tools;
-  std::string problems;
-  Reader reader(
-      text_source("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\nG68.2 X0 Y0 Z0 I0 J0 K30\nG91 G81 Z-5 R0\n"
-                  "G80\nM2\n"),
-      machine, tools, {}, [&](const base::Diagnostic& problem) { problems += std::string(problem.code) + ' '; });
-  Move move;
-  int holes = 0;
-  while (reader.next(move)) {
-    if (move.kind != Move::Kind::line || base::number(move.line) != 8 || move.start[2] == move.end[2]) continue;
-    EXPECT_NEAR(move.start[0], move.end[0], 1e-8);
-    EXPECT_NEAR(move.start[1], move.end[1], 1e-8);
-    ++holes;
+  const auto check = [](const std::string& plane, const std::string& cycle) {
+    const Reading reading = on_trunnion("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\n" + plane + '\n' + cycle +
+                                        "\nG80\nM2\n");
+    int holes = 0;
+    for (const Move& move : reading.moves) {
+      if (move.kind != Move::Kind::line || base::number(move.line) != 8 || move.start[2] == move.end[2]) continue;
+      const bool is_fed = move.feed.mode != Feed::Mode::rapid;
+      EXPECT_TRUE(!is_fed || std::hypot(move.start[0] - move.end[0], move.start[1] - move.end[1]) < 1e-8)
+          << plane << ' ' << cycle;
+      holes += is_fed;
+    }
+    EXPECT_EQ(reading.problems(), "") << plane << ' ' << cycle;
+    EXPECT_GE(holes, 1) << plane << ' ' << cycle;
+  };
+  check("G68.2 X0 Y0 Z0 I0 J0 K30", "G91 G81 Z-5 R0");
+  for (const char* const z : {"0", "0.1", "0.7", "1.1"}) {
+    const std::string plane = std::string("G68.2 X0 Y0 Z") + z + " I0 J0 K";
+    const std::string level = " R" + std::to_string(5 - std::stod(z));
+    for (const char* const code : {"G81", "G85", "G84"}) check(plane + '0', std::string(code) + " Y20 Z-5" + level);
   }
-  EXPECT_EQ(problems, "");
-  EXPECT_GE(holes, 2);
+}
+
+// Where the tool stands has been told by axes.
+TEST(CutterCompensation, IsLeftBeforeTipControl) {
+  const std::string aside = "G90 F600\nG0 A30 C40\nG41.1 D6\nG1 X20\nY20\n";
+  EXPECT_EQ(on_trunnion(aside + "G40\nG43.4\nG1 X60\nM2\n").problems(), "7:1 cutter-exit; ");
+  EXPECT_EQ(on_trunnion(aside + "G40\nM428\nG1 X60\nM2\n", Dialect::linuxcnc).problems(), "7:1 cutter-exit; ");
+  EXPECT_EQ(on_trunnion(aside + "G40 G43.4\nG1 X60\nM2\n").problems(), "6:5 cutter-compensation; ");
+  EXPECT_EQ(on_trunnion(aside + "G41.1 D0 G43.4\nG1 X60\nM2\n").problems().substr(0, 4), "6:1 ");
+  EXPECT_EQ(on_trunnion(aside + "G40\nG1 X30\nG43.4\nX60\nM2\n").problems(), "");
 }
 
 TEST(CutterCompensation, RefusesWhatCannotStandBetween) {

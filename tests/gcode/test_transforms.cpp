@@ -26,7 +26,7 @@ void expect_ends(std::string_view text, const std::vector<Point>& ends) {
 }
 
 // A point of a curve, by de Boor's algorithm in homogeneous coordinates.
-base::AxisVector point_of(const NurbsCurve& curve, double u) {
+base::AxisVector place_along(const NurbsCurve& curve, double u) {
   const auto degree = static_cast<std::size_t>(curve.degree);
   std::size_t k = degree;
   while (k + 1 < curve.points.size() && u >= curve.knots[k + 1]) ++k;
@@ -139,7 +139,7 @@ TEST(Transforms, MakeCurvesOfArcs) {
     const double turned = angle * std::numbers::pi / 180;
     const double last = curve.knots.back();
     for (int k = 0; k <= 60; ++k) {
-      const base::AxisVector p = point_of(curve, std::min(last * k / 60, last * (1 - 1e-15)));
+      const base::AxisVector p = place_along(curve, std::min(last * k / 60, last * (1 - 1e-15)));
       // Back to the program: Z and X are turned in G18, then X and Y scaled.
       const double z = std::cos(turned) * p[2] + std::sin(turned) * p[0];
       const double x = (-std::sin(turned) * p[2] + std::cos(turned) * p[0]) / a, y = p[1] / b;

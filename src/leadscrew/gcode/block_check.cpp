@@ -21,7 +21,7 @@ constexpr std::uint32_t offset_letters_of(Plane plane) {
 }
 
 // How a code is written whose words are missing.
-std::string example_of(Code code) {
+std::string example_of(Code code, Dialect dialect) {
   switch (code) {
     case Code::G4:
       return "give P, seconds: G4 P0.5";
@@ -31,7 +31,9 @@ std::string example_of(Code code) {
       return "G31 Z-10 F100";
     case Code::G33:
     case Code::G33_1:
-      return name(code) + " Z-10 K1";
+      return name(code, dialect) + (dialect == Dialect::fanuc_lathe ? " Z-10 F1" : " Z-10 K1");
+    case Code::G70_profile:
+      return "G70 P100 Q200";
     case Code::G70_bolts:
       return "G70 I20 L6";
     case Code::G71_bolts:
@@ -238,7 +240,8 @@ void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column
   const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;
   if (lacking == 0 || reloads) return;
   const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
-  error("missing-word", column, name(code) + " lacks " + letter, example_of(code));
+  error("missing-word", column, name(code, options_.dialect) + " lacks " + letter,
+        example_of(code, options_.dialect));
 }
 
 void BlockCheck::check_presence(const Block& block) {
@@ -248,7 +251,8 @@ void BlockCheck::check_presence(const Block& block) {
     check_needs(block, code, column);
     if (axes) return;
     if (code == Code::G31 || code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
-      error("missing-word", column, name(code) + " lacks axis words", example_of(code));
+      error("missing-word", column, name(code) + " lacks axis words",
+            example_of(code, options_.dialect));
     }
   });
   if (block.is(Code::G53)) {
@@ -296,7 +300,8 @@ void BlockCheck::check_threading(const Block& block) {
   if (motion != Code::G33 && motion != Code::G33_1 && motion != Code::G76) return;
   check_needs(block, motion, motion_column(block));
   if (block.words & axis_letter_bits) return;
-  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion));
+  error("missing-word", motion_column(block), name(motion, options_.dialect) + " lacks axis words",
+        example_of(motion, options_.dialect));
 }
 
 bool BlockCheck::follows_digit(std::uint32_t column) const {

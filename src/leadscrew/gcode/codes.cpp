@@ -321,6 +321,14 @@ std::string name(Code code) {
   return name(row(code).letter, row(code).tenths);
 }
 
+std::string name(Code code, Dialect dialect) {
+  if (row(code).dialects.has(dialect)) return name(code);
+  for (const OtherNumber& other : other_numbers) {
+    if (other.dialect == dialect && other.code == code) return name(other.letter, other.tenths);
+  }
+  return name(code);
+}
+
 const char* instead_of(Code code) {
   if (code == Code::G53_6) return "G53.1, which lets X, Y and Z stand, and a move to where the tip was";
   if (code == Code::G68_3) return "G68.2 P3, with X and the tool's direction for its two vectors";

@@ -161,6 +161,8 @@ const char* instead_of(Code code);
 
 /// "G38.2"
 std::string name(Code code);
+/// As a dialect that reads it calls it: G32 of lathes for G33.
+std::string name(Code code, Dialect dialect);
 std::string name(char letter, int tenths);
 
 constexpr bool is_canned_cycle(Code code) {

@@ -18,7 +18,8 @@ constexpr double most_entry_radii = 1e6;    // of the arc as programmed
 
 // A block's duration is that of its programmed length (LinuxCNC).
 void set_speed(Move& move) {
-  if (move.feed.mode != Feed::Mode::per_second) return;
+  const bool stands = move.kind == Move::Kind::line && move.start == move.end;
+  if (stands || move.feed.mode != Feed::Mode::per_second) return;
   move.feed = {Feed::Mode::units_per_second, move.feed.value * path_length(move)};
 }
 
@@ -65,22 +66,31 @@ bool CutterCompensation::is_in_plane(const Move& move) const {
 }
 
 bool CutterCompensation::take(Move& move) {
-  if (decided_ == 0) return false;
-  move = std::move(kept_.front().move);
-  taken_ = std::move(kept_.front().place);
-  kept_.pop_front();
-  --decided_;
-  return true;
+  while (decided_ > 0) {
+    move = std::move(kept_.front().move);
+    taken_ = std::move(kept_.front().place);
+    kept_.pop_front();
+    --decided_;
+    if (!tool_) return true;
+    move.start = *tool_;
+    if (move.kind != Move::Kind::line) {
+      move.end = *tool_;
+      return true;
+    }
+    tool_.reset();
+    if (move.start != move.end) return true;
+  }
+  return false;
 }
 
 void CutterCompensation::add(const Move& move) {
   Kept kept{move, reporter_.place(column_)};
   const bool ends = move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::program_end;
-  const bool is_led = phase_ != Phase::passing && phase_ != Phase::off;
+  const bool is_led = is_aside_ || phase_ == Phase::entering || phase_ == Phase::on;
   if (is_led && options_.programmed && is_way(move)) options_.programmed(move);
-  if (phase_ == Phase::leaving) return leave(std::move(kept));
-  if (phase_ == Phase::passing || phase_ == Phase::off) return decide(std::move(kept));
-  set_speed(kept.move);
+  const bool is_refused = is_aside_ && !lead_back(kept);
+  if (is_led && !is_refused) set_speed(kept.move);
+  if (is_refused || phase_ == Phase::passing || phase_ == Phase::off) return decide(std::move(kept));
   if (ends) settle(), end_search();
   if (!is_in_plane(move)) return let_pass(std::move(kept));
   if (phase_ == Phase::entering) return enter(std::move(kept));
@@ -113,24 +123,16 @@ bool CutterCompensation::leads_back(const Move& move) {
   return move.kind != Move::Kind::arc && move.kind != Move::Kind::nurbs && move.probes == ProbeSearch::nothing;
 }
 
-void CutterCompensation::leave(Kept kept) {
+/// The move behind G40; false where it cannot be the one.
+bool CutterCompensation::lead_back(const Kept& kept) {
   if (!leads_back(kept.move)) {
     error("cutter-exit", column_, "the first move behind G40 is no line of G0 or G1",
           "such a line, which leads to where the program says");
-    phase_ = Phase::off;
-    modal_.tool_is_aside = false;
-    return decide(std::move(kept));
+    forget_tool();
+    return false;
   }
-  if (kept.move.start != kept.move.end) set_speed(kept.move);
-  set_in_plane(kept.move.start, at_);
-  if (kept.move.kind == Move::Kind::line) {
-    phase_ = Phase::off;
-    modal_.tool_is_aside = false;
-    if (kept.move.start == kept.move.end) return;
-  } else {
-    set_in_plane(kept.move.end, at_);
-  }
-  decide(std::move(kept));
+  if (kept.move.kind == Move::Kind::line) is_aside_ = modal_.tool_is_aside = false;
+  return true;
 }
 
 void CutterCompensation::enter(Kept kept) {

@@ -51,7 +51,15 @@ bool CutterCompensation::allows_nonmodal(const Block& block) const {
 
 void CutterCompensation::check(const Block& block) {
   column_ = motion_column(block);
-  if (!is_on() || block.is(Code::G40) || !allows_groups(block)) return;
+  if (!is_on()) return;
+  if (block.is(Code::G40)) {  // where the tool will stand is told by axes
+    for (const Code code : {Code::G43_4, Code::G43_5, Code::M428}) {
+      const Group group = code == Code::M428 ? Group::user : Group::tool_length;
+      if (block.is(code)) refuse(code, block.column_of(group));
+    }
+    return;
+  }
+  if (!allows_groups(block)) return;
   const Code motion = modal_.to_do;
   if (motion != Code::none && !is_line(motion) && !is_arc(motion)) refuse(motion, motion_column(block));
 }
@@ -90,9 +98,8 @@ bool CutterCompensation::begin(const Block& block, const Cutter& cutter) {
   modal_.cutter_side = is_left == (radius >= 0) ? Code::G41 : Code::G42;
   modal_.is_plain = false;
   plane_ = modal_.plane;
-  if (phase_ != Phase::leaving) at_ = in_plane(frame_.position, plane_);
-  // A tool that stands beside a contour is yet to be led to where the program stands.
-  phase_ = radius != 0 ? Phase::entering : phase_ == Phase::leaving ? Phase::leaving : Phase::passing;
+  at_ = in_plane(frame_.position, plane_);
+  phase_ = radius != 0 ? Phase::entering : Phase::passing;
   if (radius != 0) travel_.release(first, second);
   return true;
 }
@@ -120,11 +127,20 @@ void CutterCompensation::end() {
   settle();
   end_search();
   const PlanePoint programmed = in_plane(frame_.position, plane_);
-  const bool is_aside = phase_ == Phase::on && (at_.first != programmed.first || at_.second != programmed.second);
-  phase_ = is_aside ? Phase::leaving : Phase::off;
-  modal_.tool_is_aside = is_aside;
+  if (phase_ == Phase::on && (at_.first != programmed.first || at_.second != programmed.second)) {
+    tool_ = frame_.position;
+    set_in_plane(*tool_, at_);
+    is_aside_ = true;
+  }
+  phase_ = Phase::off;
+  modal_.tool_is_aside = is_aside_;
   travel_.restore();
   contour_.reset();
+}
+
+void CutterCompensation::forget_tool() {
+  tool_.reset();
+  is_aside_ = modal_.tool_is_aside = false;
 }
 
 // What is kept back goes its way; what follows an error is read for its own errors alone.
@@ -132,8 +148,7 @@ void CutterCompensation::abandon() {
   settle();
   search_.forget();
   if (is_on()) phase_ = Phase::passing;
-  if (phase_ == Phase::leaving) phase_ = Phase::off;
-  modal_.tool_is_aside = false;
+  forget_tool();
 }
 
 }  // namespace leadscrew::gcode

@@ -9,7 +9,8 @@
 //
 // As LinuxCNC does it: the first move is a line that is longer than the radius, to beside its own end, or an arc, which
 // another takes the place of that ends there in the same direction (Fanuc's family: a line). Behind G40 the tool
-// stands where its way has ended until the next line, which leads to where the program says. Corners at rapid are gone round
+// stands where its way has ended until the next line, which leads to where the program says; all the same where compensation
+// has been switched on again by then, and first moves are those from where the program stands. Corners at rapid are gone round
 // as those at feed are, so that none is cut. L, or Q of the tool table, of a lathe tool, 1 to 9, says where the place that is
 // programmed lies from the middle of its radius (LinuxCNC manual, "Lathe tool orientation").
 //
@@ -38,7 +39,7 @@ class CutterCompensation : Part {
   void set(const Block& block);
 
   /// Whether moves go through it: while it is on, and until the line behind G40.
-  bool is_active() const { return phase_ != Phase::off || !kept_.empty(); }
+  bool is_active() const { return is_on() || is_aside_ || tool_ || !kept_.empty(); }
   /// Whether moves are kept back that the block ends. Before it is executed: settle(), and take() all.
   bool ends_with(const Block& block) const { return !kept_.empty() && block.has(Group::cutter_radius); }
   /// Decides what is kept back: no motion in the plane follows it.
@@ -59,14 +60,13 @@ class CutterCompensation : Part {
     entering,  ///< on, before the first motion in the plane
     on,
     passing,  ///< on, and moves go through as they are: the radius is 0, or there has been an error
-    leaving,  ///< off, before the line that leads to the programmed place
   };
   struct Kept {
     Move move;
     KeptPlace place;
   };
 
-  bool is_on() const { return phase_ != Phase::off && phase_ != Phase::leaving; }
+  bool is_on() const { return phase_ != Phase::off; }
   bool refuse(Code code, std::uint32_t column);
   bool allows_groups(const Block& block);
   bool allows_nonmodal(const Block& block) const;
@@ -79,7 +79,8 @@ class CutterCompensation : Part {
   bool is_left_to_search(const Move& next, const OffsetPiece& piece) const;
   void let_pass(Kept kept);
   static bool leads_back(const Move& move);
-  void leave(Kept kept);
+  bool lead_back(const Kept& kept);
+  void forget_tool();
   void enter(Kept kept);
   void enter_by_arc(Kept kept);
   void begin_contour(Kept kept, const std::optional<OffsetPiece>& piece);
@@ -109,6 +110,9 @@ class CutterCompensation : Part {
   double aside_ = 0;          // mm, to the left
   PlanePoint origin_;         // mm: from the middle of a lathe tool's radius to the place that is programmed
   PlanePoint at_;             // mm: where the moves decided so far have led
+  // Behind G40 the tool is beside where the program stands: until a line has been added, and where, until that is taken.
+  bool is_aside_ = false;
+  std::optional<base::AxisVector> tool_;
   std::uint32_t column_ = 1;  // of the block checked last
   std::deque<Kept> kept_;     // in their order; the first decided_ of them can be taken
   std::size_t decided_ = 0;

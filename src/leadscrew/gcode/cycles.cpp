@@ -173,7 +173,9 @@ void CannedCycles::plan_aside(const Block& block, DrillCycle::Plan& plan) {
 void CannedCycles::warn_of_wall(const Block& block) {
   const bool leaves_wall = series_->aside_first.value_or(0) != 0 || series_->aside_second.value_or(0) != 0;
   if (leaves_wall || std::exchange(series_->told_of_wall, true)) return;
-  reporter_.warning("missing-word", motion_column(block), "the tool leaves along the wall: G76 lacks Q",
+  const bool has_any = block.has('Q') || block.has('I') || block.has('J') || block.has('K');
+  reporter_.warning("missing-word", motion_column(block),
+                    std::string("the tool leaves along the wall: G76 ") + (has_any ? "says 0" : "lacks Q"),
                     "give Q, how far aside it leaves");
 }
 
@@ -259,10 +261,10 @@ void CannedCycles::begin(const Block& block, const DrillCycle::Plan& whole) {
 // lead back as well.
 void CannedCycles::come_back(const DrillCycle::Plan& plan) {
   constexpr double rounding = 1e-9;  // mm, of a tilted plane
-  if (plan.start[base::index(plan.drill)] < plan.r_level) return;
+  if (plan.start[base::index(plan.drill)] < plan.r_level - rounding) return;
   for (const base::Axis axis : {first_axis(modal_.plane), second_axis(modal_.plane)}) {
     const std::size_t i = base::index(axis);
-    if (std::fabs(cycle_.hole(0)[i] - plan.start[i]) > rounding) return;
+    if (std::fabs(cycle_.hole(0)[i] - plan.start[i]) > (is_tilted_ ? rounding : 0)) return;
   }
   outbox_.emit(Move::Kind::line).feed.mode = Feed::Mode::rapid;
 }

@@ -136,7 +136,8 @@ void Motion::tell_standing(const Block& block) {
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
   travel_.inside_travel(block, target);
-  const bool comes_back = modal_.tool_is_aside && (block.words & axis_letter_bits);
+  const bool names_place = (block.words & axis_letter_bits) || block.is(Code::G28) || block.is(Code::G30);
+  const bool comes_back = modal_.tool_is_aside && names_place;
   if (target == frame_.position && !comes_back) return;
   modal_.tool_is_aside = false;
   Move& line = outbox_.emit(Move::Kind::line);

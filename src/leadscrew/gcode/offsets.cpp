@@ -8,7 +8,10 @@ namespace {
 
 constexpr int most_of_fanuc = 300;  // G54.1 P
 constexpr int most_of_haas = 99;    // G154 P
-constexpr const char* levels_of_g10 = "L1, L2, L10, L11 or L20";
+const char* levels_of_g10(Dialect dialect) {
+  const bool is_of_linuxcnc = dialect == Dialect::linuxcnc || dialect == Dialect::leadscrew;
+  return is_of_linuxcnc ? "L0, L1, L2, L10, L11 or L20" : "L1, L2, L10, L11 or L20";
+}
 
 // Calls f(axis, value of its word in mm or degrees) for each axis word.
 template <class F>
@@ -71,6 +74,11 @@ void Offsets::begin_tip_control(std::uint32_t column) {
   if (!machine_.rotary_chain) {
     error("tip-control", column, "tool centre point control on a machine whose rotary axes have no kinematics",
           "kinematics = \"table-table-ac\" in the machine file, or another of its names");
+    return;
+  }
+  if (modal_.tool_is_aside) {
+    error("cutter-exit", column, "tool centre point control before a move behind G40",
+          "a line of G0 or G1 before it, which leads to where the program says");
     return;
   }
   frame_.begin_tip_control(machine_);
@@ -172,7 +180,7 @@ void Offsets::set_system(const Block& block) {
   if (!block.has('P')) return;
   if (kind == 1 || (kind && 10 <= *kind && *kind <= 13)) return set_tool(block, *kind);
   if (kind != 2 && kind != 20) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10);
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
     return;
   }
   const std::optional<int> which = system_of(block, *kind);
@@ -226,7 +234,7 @@ void Offsets::set_tool(const Block& block, int kind) {
   if (has_registers() && kind != 1) {
     set_register(block, kind, tool);
   } else if (kind > 11) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10);
+    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
     return;
   } else {
     tool.offset = offset_to_reach(block, kind, tool.offset);
@@ -323,7 +331,7 @@ void Offsets::go_home(const Block& block) {
   if (fails_under_tip_control(block)) return;
   const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
-  if (!all && !has_form(options_.dialect, Form::home_by_letters))
+  if (!has_form(options_.dialect, Form::home_by_letters))
     motion_.line_to(block, motion_.target_of(block), Feed{});
   base::AxisVector target = frame_.position;
   for (const base::Axis axis : base::all_axes) {

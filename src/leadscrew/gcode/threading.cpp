@@ -40,8 +40,10 @@ std::optional<double> Threading::lead_of(const Block& block) {
   // F of a lathe holds, as other feeds do.
   if (options_.dialect == Dialect::fanuc_lathe && !block.has('F') && modal_.feed_word > 0) return modal_.feed_word;
   if (!block.has(letter)) {
-    error("missing-word", motion_column(block), name(modal_.to_do) + " lacks K",
-          "give the travel in a revolution: " + name(modal_.to_do) + " Z-10 K1.25");
+    const bool is_of_lathe = options_.dialect == Dialect::fanuc_lathe;
+    const std::string called = name(modal_.to_do, options_.dialect), wanted = is_of_lathe ? "F" : "K";
+    error("missing-word", motion_column(block), called + " lacks " + wanted,
+          "give the travel in a revolution: " + called + " Z-10 " + wanted + "1.25");
     return std::nullopt;
   }
   if (letter == 'K' && block.has('F')) {
