@@ -63,7 +63,14 @@ class GeneratedProgram {
       if (any(0, 3) == 0) add("G4 P0.02\n");
       add("G1 Y%.4f\nX%.4f\n", -h / 2, x(0));
     }
-    add("G40\nG1 Y%.4f\nM2\n", -h / 2 - 2 * radius - 4);
+    static constexpr const char* behind[] = {"",
+                                             "M8\n",
+                                             "G42.1 D1\nG40\n",
+                                             "G41.1 D0\nM9\nG40\n",
+                                             "G18\nG41.1 D1\nG40\n",
+                                             "G81 Z-3 R2\nG80\n",
+                                             "G42.1 D2\nG1 X50 Y-40\nX60\nG40\n"};
+    add("G40\n%sG1 Y%.4f\nM2\n", behind[any(0, 7)], -h / 2 - 2 * radius - 4);
   }
 
   void cycles() {
