@@ -341,8 +341,8 @@ Reading on_trunnion(const std::string& text, Dialect dialect = Dialect::leadscre
 // Wherever the plane lies, and rounding leaves the place where the cycle begins.
 TEST(CutterCompensation, ComesBackBeforeACycleInATiltedPlane) {
   const auto check = [](const std::string& plane, const std::string& cycle) {
-    const Reading reading = on_trunnion("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\n" + plane + '\n' + cycle +
-                                        "\nG80\nM2\n");
+    const Reading reading =
+        on_trunnion("G98 S100 M3 F600\nG0 Z5\nG41.1 D6\nG1 X20\nY20\nG40\n" + plane + '\n' + cycle + "\nG80\nM2\n");
     int holes = 0;
     for (const Move& move : reading.moves) {
       if (move.kind != Move::Kind::line || base::number(move.line) != 8 || move.start[2] == move.end[2]) continue;
