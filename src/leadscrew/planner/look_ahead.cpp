@@ -154,8 +154,6 @@ std::unique_ptr<Window> LookAhead::solve(Refinement refinement, const Window* be
 
 std::unique_ptr<Window> LookAhead::remembered_or_planned(const PlannedRange& range, const Window* before) {
   const Aim aim = factor_ > 0 ? Aim::fastest : Aim::rest;
-  // Along paths of least time rows are found anew: a last bit of them decides whether a window near rest is refused.
-  if (is_of_least_time_) before = nullptr;
   const auto plan = [&] {
     return settled(plan_window(section_, limits(), range, continuation_, aim, most_intervals(), effort_, before));
   };
