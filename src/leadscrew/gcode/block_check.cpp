@@ -240,8 +240,7 @@ void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column
   const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;
   if (lacking == 0 || reloads) return;
   const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
-  error("missing-word", column, name(code, options_.dialect) + " lacks " + letter,
-        example_of(code, options_.dialect));
+  error("missing-word", column, name(code, options_.dialect) + " lacks " + letter, example_of(code, options_.dialect));
 }
 
 void BlockCheck::check_presence(const Block& block) {
@@ -251,8 +250,7 @@ void BlockCheck::check_presence(const Block& block) {
     check_needs(block, code, column);
     if (axes) return;
     if (code == Code::G31 || code == Code::G52 || code == Code::G92 || code == Code::G43_1) {
-      error("missing-word", column, name(code) + " lacks axis words",
-            example_of(code, options_.dialect));
+      error("missing-word", column, name(code) + " lacks axis words", example_of(code, options_.dialect));
     }
   });
   if (block.is(Code::G53)) {

@@ -107,9 +107,9 @@ class CutterCompensation : Part {
   Travel& travel_;
   Phase phase_ = Phase::off;
   Plane plane_ = Plane::XY;
-  double aside_ = 0;          // mm, to the left
-  PlanePoint origin_;         // mm: from the middle of a lathe tool's radius to the place that is programmed
-  PlanePoint at_;             // mm: where the moves decided so far have led
+  double aside_ = 0;   // mm, to the left
+  PlanePoint origin_;  // mm: from the middle of a lathe tool's radius to the place that is programmed
+  PlanePoint at_;      // mm: where the moves decided so far have led
   // Behind G40 the tool is beside where the program stands: until a line has been added, and where, until that is taken.
   bool is_aside_ = false;
   std::optional<base::AxisVector> tool_;

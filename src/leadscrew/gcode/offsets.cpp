@@ -331,8 +331,7 @@ void Offsets::go_home(const Block& block) {
   if (fails_under_tip_control(block)) return;
   const base::AxisVector home = parameters_.axes(home_of(block));
   const bool all = !(block.words & axis_letter_bits);
-  if (!has_form(options_.dialect, Form::home_by_letters))
-    motion_.line_to(block, motion_.target_of(block), Feed{});
+  if (!has_form(options_.dialect, Form::home_by_letters)) motion_.line_to(block, motion_.target_of(block), Feed{});
   base::AxisVector target = frame_.position;
   for (const base::Axis axis : base::all_axes) {
     if (machine_.has(axis) && (all || block.has(base::letter(axis))))

@@ -70,7 +70,10 @@ constexpr Row rows[] = {
     {Code::G73, Code::G89, 'J', "how much faster the tool leaves than it enters", number},
     {Code::G31, Code::G31, 'P', "which of four skip signals; here all are the probe's", number},
     {Code::G4, Code::G4, 'P', "how long; in some dialects milliseconds (see the forms)", seconds},
-    {Code::G10, Code::G10, 'L', "what is set: 1, 10, 11 tools, 2, 20 coordinate systems; of LinuxCNC also 0, without P: the table of tools is read again", number},
+    {Code::G10, Code::G10, 'L',
+     "what is set: 1, 10, 11 tools, 2, 20 coordinate systems; of LinuxCNC also 0, without P: the table of tools is "
+     "read again",
+     number},
     {Code::G10, Code::G10, 'P', "which tool, or which system: 1 to 9, 0 for the one in force", number},
     {Code::G10, Code::G10, 'R', "turn of the system, degrees, or radius of the tool", ""},
     {Code::G10, Code::G10, 'I', "angle of the tool's front", degrees},
