@@ -43,6 +43,15 @@ std::string story(const std::string& text, Dialect dialect = Dialect::haas) {
 const std::string head = "G90 G0 X20. Y10. Z1.\n";
 const std::string at_start = "r20,10,1 ";
 
+// Behind G40 the tool comes back before it goes down.
+TEST(CircularPockets, BeginBesideAContourWhereTheProgramStands) {
+  const std::string aside = "F200.\nG41 D1\nG1 X40.\nY40.\nG40\n";
+  for (const char* const code : {"G12", "G13"}) {
+    const std::string text = story(head + aside + code + " I15. Z-3. D0 F200.\nM30\n");
+    EXPECT_NE(text.find("f35,40,1 r40,40,1 f40,40,-3 a"), std::string::npos) << text;
+  }
+}
+
 TEST(CircularPockets, GoRoundOnce) {
   EXPECT_EQ(story(head + "G13 I15. Z-3. D1 F200.\nM30\n"),
             at_start + "f20,10,-3 a30,10@25,10+ a30,10@20,10+ a20,10@25,10+");

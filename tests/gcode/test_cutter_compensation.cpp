@@ -132,8 +132,22 @@ TEST(CutterCompensation, GoesOnFromBesideTheContourWhereNoMoveIsBehindG40) {
   // A line to where the program stands is no first move.
   EXPECT_EQ(behind("G41.1 D2\nX20 Y20\nX50\nX80\nG40"), "f20,20 f50,21 f80,21");
   EXPECT_EQ(behind("G93\nG41.1 D2\nX20 Y20 F60\nG40"), "f20,20");
+  EXPECT_EQ(behind("G0\nG1 Z-3"), "r20,20 f20,20,-3");
+  EXPECT_EQ(behind("G80 G1\nZ-3"), "f20,20 f20,20,-3");
+  EXPECT_EQ(behind("G0\nG2 X30 I5"), "r20,20 a30,20");
   EXPECT_EQ(behind("G28"), "r20,20 r0,0");
   EXPECT_EQ(behind("G30 Y20"), "r20,20 r20,0");
+}
+
+// By the feed of linear axes, in any unit, as the tool moves aside alone.
+TEST(CutterCompensation, ComesBackAtTheFeedOfLinearAxes) {
+  for (const char* const line : {"G1 X2 Y1", "G1", "G1 A0", "G1 X2"}) {
+    const Reading reading = read_well("G20\nF20\nG42.1 D0.1\nG1 X2 Y1\nG40\n" + std::string(line) + "\nM2\n");
+    const std::vector<Move> lines = reading.lines();
+    ASSERT_EQ(lines.size(), 2u) << line;
+    EXPECT_DOUBLE_EQ(lines[1].feed.value, 20 * 25.4 / 60) << line;
+    EXPECT_NEAR(lines[1].end[0], 50.8, 1e-12) << line;
+  }
 }
 
 // D0 beside a contour is on as any other.
@@ -369,6 +383,7 @@ TEST(CutterCompensation, IsLeftBeforeTipControl) {
   EXPECT_EQ(on_trunnion(aside + "G40\nM428\nG1 X60\nM2\n", Dialect::linuxcnc).problems(), "7:1 cutter-exit; ");
   EXPECT_EQ(on_trunnion(aside + "G40 G43.4\nG1 X60\nM2\n").problems(), "6:5 cutter-compensation; ");
   EXPECT_EQ(on_trunnion(aside + "G41.1 D0 G43.4\nG1 X60\nM2\n").problems().substr(0, 4), "6:1 ");
+  EXPECT_EQ(on_trunnion(aside + "G40\nG68.2 X0 Y0 Z0 I90 J30 K0\nG53.1\nM2\n").problems(), "8:1 cutter-exit; ");
   EXPECT_EQ(on_trunnion(aside + "G40\nG1 X30\nG43.4\nX60\nM2\n").problems(), "");
 }
 

@@ -84,27 +84,27 @@ class Further:
         contour = Contour(self.random, place, radius, letters, decimals=self.decimals() - 1, level=level, arc_first=plane == "XY")
         contour.go()
         self.lines += [*contour.lines, "G40"]
-        self.leave_contour(letters)
+        self.leave_contour(contour)
 
-    def leave_contour(self, letters):
+    def leave_contour(self, contour):
         """By a line, compensation switched on again before it or not."""
-        move = lambda code: self.block(code, self.word(letters[0], self.value(-30, 30)), self.word(letters[1], self.value(-30, 30)))
+        letters = contour.letters
         way = self.random.choice(["", "", "", "none", "zero", "anew", "plane", "event"])
-        again = f"{self.random.choice(['G41.1', 'G42.1'])} D{self.value(0.5, 3):.3f}"
+        radius = self.value(0.5, 3)
+        again = f"{self.random.choice(['G41.1', 'G42.1'])} D{2 * radius:.6f}"
         if way == "none":
             self.lines += [again, "G40"]
         elif way == "zero":
             self.lines.append("G41.1 D0")
         elif way == "anew":
-            self.lines.append(again)
-            move("G1")
-            move("G1")
-            self.lines.append("G40")
+            other = Contour(self.random, contour.place, radius, letters, decimals=contour.decimals, level=contour.level, arc_first=False)
+            other.go()
+            self.lines += [again, *other.lines, "G40"]
         elif way == "plane" and not self.rotated:
             self.block(self.set_plane("ZX" if self.plane == "XY" else "XY"))
         elif way == "event":
             self.block("M9")
-        move(self.random.choice(["G0", "G1"]))
+        self.block(self.random.choice(["G0", "G1"]), self.word(letters[0], self.value(-30, 30)), self.word(letters[1], self.value(-30, 30)))
         if way == "zero":
             self.lines.append("G40")
 

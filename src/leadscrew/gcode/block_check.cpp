@@ -126,7 +126,8 @@ Code BlockCheck::motion_of(const Block& block) {
     }
     if (taker != Code::none) {
       error("modal-conflict", block.column_of(Group::motion),
-            name(motion) + " and " + name(taker) + " both take the axis words", "put them into two blocks");
+            name(motion, options_.dialect) + " and " + name(taker, options_.dialect) + " both take the axis words",
+            "put them into two blocks");
       return Code::none;
     }
     return motion;

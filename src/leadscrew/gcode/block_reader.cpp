@@ -228,11 +228,11 @@ bool BlockReader::refuse_code(Code code, std::uint32_t column, Block& block) {
     return true;
   }
   if (!known.read) {
-    reporter_.error("unsupported-code", column, name(code) + " (" + known.summary + ") is not supported",
+    reporter_.error("unsupported-code", column, name(code, dialect_) + " (" + known.summary + ") is not supported",
                     instead_of(code));
   } else {
     reporter_.error("modal-conflict", column,
-                    name(code) + " and " + name(block.code(known.group)) + " stand in one block",
+                    name(code, dialect_) + " and " + name(block.code(known.group), dialect_) + " stand in one block",
                     "both are of " + name(known.group) + ": one block, one of them");
   }
   return true;

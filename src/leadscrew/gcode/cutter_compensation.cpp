@@ -7,7 +7,8 @@
 namespace leadscrew::gcode {
 
 bool CutterCompensation::refuse(Code code, std::uint32_t column) {
-  return error("cutter-compensation", column, name(code) + " while cutter compensation is on", "G40 before it");
+  return error("cutter-compensation", column, name(code, options_.dialect) + " while cutter compensation is on",
+               "G40 before it");
 }
 
 // LinuxCNC's list, 2.9; but outside its dialect, what moves carry along is changed at their place.

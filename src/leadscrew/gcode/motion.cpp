@@ -43,8 +43,10 @@ base::AxisVector Motion::target_of(const Block& block, const base::AxisVector& f
 void Motion::straight(const Block& block) {
   const base::AxisVector target = target_of(block);
   Feed feed;
-  if (modal_.to_do == Code::G1 && (block.words & axis_letter_bits))
-    feed_of(block, is_linear(target), block.has('F'), feed);
+  // Where the tool is yet to come back to where the program stands, X and Y move.
+  const bool is_aside = modal_.tool_is_aside;
+  if (modal_.to_do == Code::G1 && (is_aside || (block.words & axis_letter_bits)))
+    feed_of(block, is_aside || is_linear(target), block.has('F'), feed);
   line_to(block, target, feed);
 }
 
@@ -136,7 +138,8 @@ void Motion::tell_standing(const Block& block) {
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
   travel_.inside_travel(block, target);
-  const bool names_place = (block.words & axis_letter_bits) || block.is(Code::G28) || block.is(Code::G30);
+  bool names_place = block.words & axis_letter_bits;
+  for (const Code code : {Code::G0, Code::G1, Code::G28, Code::G30}) names_place |= block.is(code);
   const bool comes_back = modal_.tool_is_aside && names_place;
   if (target == frame_.position && !comes_back) return;
   modal_.tool_is_aside = false;

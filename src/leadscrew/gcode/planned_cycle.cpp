@@ -69,7 +69,8 @@ void PlannedCycle::line(const std::array<double, 3>& to, const Feed& feed) {
   if (!has_room()) return;
   position_ = to;
   const base::AxisVector end = placed(to);
-  if (end != end_ && is_inside(end, end)) add(end, 0, {}, feed);
+  const bool comes_back = modal_.tool_is_aside && moves_.empty();
+  if ((end != end_ || comes_back) && is_inside(end, end)) add(end, 0, {}, feed);
 }
 
 void PlannedCycle::arc(PlanePoint to, PlanePoint center, int turn, const Feed& feed) {

@@ -47,7 +47,10 @@ std::optional<double> Threading::lead_of(const Block& block) {
     return std::nullopt;
   }
   if (letter == 'K' && block.has('F')) {
-    error("unused-word", block.column_of('F'), name(modal_.to_do) + " takes no F", "K and S are its feed");
+    const bool is_lead = options_.dialect == Dialect::fanuc_lathe;
+    error("unused-word", block.column_of(is_lead ? 'K' : 'F'),
+          name(modal_.to_do, options_.dialect) + (is_lead ? " takes no K" : " takes no F"),
+          is_lead ? "F is the travel in a revolution" : "K and S are its feed");
     return std::nullopt;
   }
   if (block[letter] > 0) return block[letter];
