@@ -14,11 +14,13 @@ namespace leadscrew::gcode {
 /// What begins a word, in the order of the bits of Letters: letters, `@` and `^` of polar words, `$` of a spindle's number.
 inline constexpr std::string_view word_marks = "ABCDEFGHIJKLMNOPQRSTUVWXYZ@^$";
 
-/// Where a letter, or '$', stands among them.
-constexpr std::size_t mark_index(char letter) {
-  return letter == '$' ? 28 : static_cast<std::size_t>(letter - 'A');
+/// Where one of them stands.
+constexpr std::size_t mark_index(char mark) {
+  if ('A' <= mark && mark <= 'Z') return static_cast<std::size_t>(mark - 'A');
+  return mark == '@' ? 26 : mark == '^' ? 27 : 28;
 }
-static_assert(word_marks[mark_index('Z')] == 'Z' && word_marks[mark_index('$')] == '$');
+static_assert(word_marks[mark_index('Z')] == 'Z' && word_marks[mark_index('@')] == '@');
+static_assert(word_marks[mark_index('^')] == '^' && word_marks[mark_index('$')] == '$');
 
 constexpr std::uint32_t letter_bit(char letter) {
   return std::uint32_t{1} << mark_index(letter);
