@@ -78,8 +78,10 @@ TEST(ContactFeed, IsKeptWhereNoLimitBinds) {
   std::optional<std::array<double, 3>> last;
   std::size_t at_feed = 0, words = 0;
   double fastest_tip = 0, slowest_tip = 1e9;
+  std::optional<planner::Chunk> loaded;  // lives until the next is loaded
   while (std::optional<planner::Chunk> chunk = planner.pop()) {
-    interpolator.load(*chunk);
+    loaded = std::move(chunk);
+    interpolator.load(*loaded);
     while (!interpolator.wants_chunk()) {
       const base::Word word = interpolator.next();
       ++words;
