@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Bad{"UnclosedBracket", "G21\nG0 X[1+2\nM2\n", "2:5", "unclosed-bracket"},
                       Bad{"Binary", std::string("\x7f\x45LF\0\x02\xff", 7), "1:1", "bad-character"},
                       Bad{"Empty", "", "1:1", "empty-program"}, Bad{"Blank", "\n \n\n", "3:1", "empty-program"},
-                      Bad{"MegabyteLine", "G21\n" + std::string(1 << 20, 'X') + "\nM2\n", "2:65537", "line-too-long"},
+                      Bad{"LongLine", "G21\n" + std::string(1 << 17, 'X') + "\nM2\n", "2:65537", "line-too-long"},
                       Bad{"DosLineEnds", "G21\r\nG123\r\nM2\r\n", "2:1", "unknown-code"}),
     [](const auto& bad) { return std::string(bad.param.name); });
 

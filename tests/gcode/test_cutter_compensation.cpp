@@ -139,6 +139,57 @@ TEST(CutterCompensation, GoesOnFromBesideTheContourWhereNoMoveIsBehindG40) {
   EXPECT_EQ(behind("G30 Y20"), "r20,20 r20,0");
 }
 
+// What a cycle plans as a whole begins where the program stands, too: a rapid leads there, whatever its first move is.
+TEST(CutterCompensation, ComesBackBeforeCyclesOfLathesPeck) {
+  const auto behind = [](const std::string& cycle) {
+    const std::string aside = "G98 F600\nT0707\nG0 X80. Z0\nG41 X70.\nG1 X60. Z-5.\nZ-40.\nG40\n";
+    std::ostringstream out;
+    for (const Move& move : read_well(aside + cycle + "\nM30\n", with_tool(4, Dialect::fanuc_lathe)).lines()) {
+      if (base::number(move.line) < 8) continue;
+      out << (move.feed.mode == Feed::Mode::rapid ? " r" : " f") << at(move.end, base::Axis::X) << ','
+          << at(move.end, base::Axis::Z);
+    }
+    return out.str();
+  };
+  EXPECT_EQ(behind("G74 R1.\nG74 Z-45. Q5000"), " r30,-40 f30,-45 r30,-40");
+  EXPECT_EQ(behind("G75 R1.\nG75 X50. P5000"), " r30,-40 f25,-40 r30,-40");
+}
+
+// LinuxCNC changes planes, tools and overrides before G40 of the same block, others behind it.
+TEST(CutterCompensation, EndsBeforeOrBehindWhatElseItsBlockSays) {
+  const std::string within = "G41.1 D6\nG1 X20\nY20\n";
+  for (const std::string block : {"G40 G18", "G40 M6 T7", "G40 M66 P0 L0", "G40 M48"}) {
+    EXPECT_EQ(problems(within + block, with_tool(4, Dialect::linuxcnc)), "5:5 cutter-compensation; ") << block;
+    EXPECT_EQ(problems(within + block, with_tool(4)), "") << block;
+  }
+  for (const std::string block : {"G40 G17", "G40 G20", "G40 G55", "G40 G43.1 Z5", "G40 G92.1", "G40 G98"})
+    EXPECT_EQ(problems(within + block, with_tool(4, Dialect::linuxcnc)), "") << block;
+}
+
+// M70 to M73 keep that it is off; what they kept while it was on does not switch it on again.
+TEST(CutterCompensation, EndsWhereModesComeBackThatWereKeptWithoutIt) {
+  EXPECT_EQ(way("M70\nG41.1 D2\nG1 X10\nX20\nM72\nG1 X30"), "f10,1 f20,1 f30,0");
+  EXPECT_EQ(way("G41.1 D2\nM70\nG1 X10\nX20\nG91\nM72\nX30\nY9\nG40 X0"), "f10,1 f20,1 f29,1 f29,9 f0,9");
+  const std::string call = "o1 sub\nM73\nG91\nG41.1 D2\nG1 X10\nX10\no1 endsub\no1 call\n";
+  EXPECT_EQ(way(call + "G1 X30\nY10"), "f10,1 f20,1 f30,0 f30,10");
+  EXPECT_EQ(way("M70\nG41.1 D0\nG1 X10\nM72\nG1 X30"), "f10,0 f30,0");
+  EXPECT_EQ(problems("G41.1 D2\nM70\nG1 X10\nX20\nG40\nM72"), "7:1 cutter-compensation; ");
+  const std::string again = "G41.1 D2\nM70\nG1 X10\nX20\nG40\nG1 X0 Y0\n";
+  EXPECT_EQ(problems(again + "G42.1 D2\nM72"), "9:1 cutter-compensation; ");
+  EXPECT_EQ(problems(again + "G18 G41.1 D2\nM72"), "9:1 cutter-compensation; ");
+  EXPECT_EQ(problems(again + "G55\nG41.1 D2\nM72"), "10:1 cutter-compensation; ");
+  EXPECT_EQ(problems(again + "G43.1 Z5\nG41.1 D2\nM72"), "10:1 cutter-compensation; ");
+  EXPECT_EQ(problems(again + "G41.1 D2\nM72\nG1 X10\nG40"), "");
+}
+
+// A plane that comes back with the end of a call comes back behind the contour in the plane before.
+TEST(CutterCompensation, IsInThePlaneThatComesBackNoMore) {
+  const std::string text = "o1 sub\nM73\nG18\nG42.1 D4\nG1 X10\nZ10\no1 endsub\no1 call\n";
+  EXPECT_EQ(way(text + "G1 X20\nX30 Z20"), "f8,0,2 f8,0,10 f20,0,10 f30,0,20");
+  EXPECT_EQ(problems(text + "G3 X20 Y10 J10"), "10:1 cutter-exit; ");
+  EXPECT_EQ(problems(text + "G1 X20", in_dialect(Dialect::linuxcnc)), "10:1 cutter-compensation; ");
+}
+
 // By the feed of linear axes, in any unit, as the tool moves aside alone.
 TEST(CutterCompensation, ComesBackAtTheFeedOfLinearAxes) {
   for (const char* const line : {"G1 X2 Y1", "G1", "G1 A0", "G1 X2"}) {
@@ -381,7 +432,7 @@ TEST(CutterCompensation, IsLeftBeforeTipControl) {
   const std::string aside = "G90 F600\nG0 A30 C40\nG41.1 D6\nG1 X20\nY20\n";
   EXPECT_EQ(on_trunnion(aside + "G40\nG43.4\nG1 X60\nM2\n").problems(), "7:1 cutter-exit; ");
   EXPECT_EQ(on_trunnion(aside + "G40\nM428\nG1 X60\nM2\n", Dialect::linuxcnc).problems(), "7:1 cutter-exit; ");
-  EXPECT_EQ(on_trunnion(aside + "G40 G43.4\nG1 X60\nM2\n").problems(), "6:5 cutter-compensation; ");
+  EXPECT_EQ(on_trunnion(aside + "G40 G43.4\nG1 X60\nM2\n").problems(), "6:5 cutter-exit; ");
   EXPECT_EQ(on_trunnion(aside + "G41.1 D0 G43.4\nG1 X60\nM2\n").problems().substr(0, 4), "6:1 ");
   EXPECT_EQ(on_trunnion(aside + "G40\nG68.2 X0 Y0 Z0 I90 J30 K0\nG53.1\nM2\n").problems(), "8:1 cutter-exit; ");
   EXPECT_EQ(on_trunnion(aside + "G40\nG1 X30\nG43.4\nX60\nM2\n").problems(), "");

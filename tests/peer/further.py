@@ -80,11 +80,24 @@ class Further:
         radius = abs(DIAMETERS[tool - 1]) / 2 * (1 if self.inches else 25.4) if of_tool else self.value(0.5, 3)
         word = f"D{tool}" if of_tool else f"D{2 * radius * self.random.choice([1, 1, -1]):.6f}"
         word += f" L{self.random.randint(0, 9)}" if plane == "ZX" and not of_tool and self.chance(0.5) else ""
-        self.lines.append(f"{self.random.choice(['G41', 'G42'])}{'' if of_tool else '.1'} {word}")
+        begin = f"{self.random.choice(['G41', 'G42'])}{'' if of_tool else '.1'} {word}"
         contour = Contour(self.random, place, radius, letters, decimals=self.decimals() - 1, level=level, arc_first=plane == "XY")
         contour.go()
-        self.lines += [*contour.lines, "G40"]
+        self.end_contour([begin, *contour.lines])
         self.leave_contour(contour)
+
+    def end_contour(self, lines):
+        """By G40, or by modes that come back, where rs274 brings back all that the contour has changed."""
+        changes = any(re.search(r"M[378]|G9[45]", line) for line in lines)
+        end = "G40" if changes or self.tool else self.random.choice(["G40", "G40", "M72", "call"])
+        if end == "call":
+            label = self.label()
+            lines = [f"{label} sub", "M73", *lines, f"{label} endsub", f"{label} call"]
+        else:
+            lines = ["M70", *lines, end] if end == "M72" else [*lines, end]
+        self.lines += lines
+        if end != "G40":
+            self.block(f"F{self.random.randint(10, 900)}")
 
     def leave_contour(self, contour):
         """By a line, compensation switched on again before it or not."""

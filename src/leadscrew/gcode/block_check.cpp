@@ -126,8 +126,7 @@ Code BlockCheck::motion_of(const Block& block) {
     }
     if (taker != Code::none) {
       error("modal-conflict", block.column_of(Group::motion),
-            name(motion, options_.dialect) + " and " + name(taker, options_.dialect) + " both take the axis words",
-            "put them into two blocks");
+            name(motion) + " and " + name(taker) + " both take the axis words", "put them into two blocks");
       return Code::none;
     }
     return motion;
@@ -241,7 +240,7 @@ void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column
   const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;
   if (lacking == 0 || reloads) return;
   const char letter = word_marks[static_cast<std::size_t>(std::countr_zero(lacking))];
-  error("missing-word", column, name(code, options_.dialect) + " lacks " + letter, example_of(code, options_.dialect));
+  error("missing-word", column, name(code) + " lacks " + letter, example_of(code, options_.dialect));
 }
 
 void BlockCheck::check_presence(const Block& block) {
@@ -299,8 +298,7 @@ void BlockCheck::check_threading(const Block& block) {
   if (motion != Code::G33 && motion != Code::G33_1 && motion != Code::G76) return;
   check_needs(block, motion, motion_column(block));
   if (block.words & axis_letter_bits) return;
-  error("missing-word", motion_column(block), name(motion, options_.dialect) + " lacks axis words",
-        example_of(motion, options_.dialect));
+  error("missing-word", motion_column(block), name(motion) + " lacks axis words", example_of(motion, options_.dialect));
 }
 
 bool BlockCheck::follows_digit(std::uint32_t column) const {

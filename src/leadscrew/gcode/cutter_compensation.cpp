@@ -7,27 +7,39 @@
 namespace leadscrew::gcode {
 
 bool CutterCompensation::refuse(Code code, std::uint32_t column) {
-  return error("cutter-compensation", column, name(code, options_.dialect) + " while cutter compensation is on",
-               "G40 before it");
+  return error("cutter-compensation", column, name(code) + " while cutter compensation is on",
+               "G40 in a block before it");
 }
 
 // LinuxCNC's list, 2.9; but outside its dialect, what moves carry along is changed at their place.
 bool CutterCompensation::allows_groups(const Block& block) {
-  std::uint32_t groups = bit(Group::system) | bit(Group::tool_length) | bit(Group::tool) | bit(Group::scaling) |
-                         bit(Group::rotation) | bit(Group::mirror);
-  if (options_.dialect == Dialect::linuxcnc)
-    groups |= bit(Group::path) | bit(Group::retract) | bit(Group::overrides) | bit(Group::output);
-  if (block.is(Code::M66)) groups |= bit(Group::output);
-  if (block.is(Code::M72)) groups |= bit(Group::modes);
-  if (block.is(Code::M428) || block.is(Code::M429)) groups |= bit(Group::user);
-  if (plane_after(block, modal_) != modal_.plane) groups |= bit(Group::plane);
-  if (!allows_nonmodal(block)) groups |= bit(Group::nonmodal);
-  groups |= bit(Group::cutter_radius);
+  if (block.is(Code::G40) && options_.dialect != Dialect::linuxcnc) return true;  // what else it says holds behind that
+  const std::uint32_t groups = block.is(Code::G40) ? groups_before_end(block) : groups_within(block);
   for (std::size_t i = 0; i < index(Group::count); ++i) {
     const Group group = static_cast<Group>(i);
     if ((groups & bit(group)) && block.has(group)) return refuse(block.code(group), block.column_of(group));
   }
   return true;
+}
+
+// What LinuxCNC does before G40 of the same block.
+std::uint32_t CutterCompensation::groups_before_end(const Block& block) const {
+  std::uint32_t groups = bit(Group::tool) | bit(Group::overrides);
+  if (block.is(Code::M66)) groups |= bit(Group::output);
+  if (plane_after(block, modal_) != modal_.plane) groups |= bit(Group::plane);
+  return groups;
+}
+
+std::uint32_t CutterCompensation::groups_within(const Block& block) const {
+  std::uint32_t groups = bit(Group::system) | bit(Group::tool_length) | bit(Group::tool) | bit(Group::scaling) |
+                         bit(Group::rotation) | bit(Group::mirror);
+  if (options_.dialect == Dialect::linuxcnc)
+    groups |= bit(Group::path) | bit(Group::retract) | bit(Group::overrides) | bit(Group::output);
+  if (block.is(Code::M66)) groups |= bit(Group::output);
+  if (block.is(Code::M428) || block.is(Code::M429)) groups |= bit(Group::user);
+  if (plane_after(block, modal_) != modal_.plane) groups |= bit(Group::plane);
+  if (!allows_nonmodal(block)) groups |= bit(Group::nonmodal);
+  return groups | bit(Group::cutter_radius);
 }
 
 bool CutterCompensation::allows_nonmodal(const Block& block) const {
@@ -53,20 +65,12 @@ bool CutterCompensation::allows_nonmodal(const Block& block) const {
 void CutterCompensation::check(const Block& block) {
   column_ = motion_column(block);
   if (!is_on()) return;
-  if (block.is(Code::G40)) {  // where the tool will stand is told by axes
-    for (const Code code : {Code::G43_4, Code::G43_5, Code::M428}) {
-      const Group group = code == Code::M428 ? Group::user : Group::tool_length;
-      if (block.is(code)) refuse(code, block.column_of(group));
-    }
-    return;
-  }
-  if (!allows_groups(block)) return;
+  if (!allows_groups(block) || block.is(Code::G40)) return;
   const Code motion = modal_.to_do;
   if (motion != Code::none && !is_line(motion) && !is_arc(motion)) refuse(motion, motion_column(block));
 }
 
 void CutterCompensation::set(const Block& block) {
-  if (block.is(Code::G40)) return end();
   if (is_on()) return;  // has been refused
   column_ = motion_column(block);
   const std::optional<Cutter> cutter = radius_.of_compensation(block);
@@ -137,6 +141,26 @@ void CutterCompensation::end() {
   modal_.tool_is_aside = is_aside_;
   travel_.restore();
   contour_.reset();
+}
+
+// LinuxCNC executes what differs as a block, G40 in it behind the plane, and G41 with the tool's radius.
+bool CutterCompensation::bring_back(const ModalState& before, const base::AxisVector& tool_length,
+                                    std::uint32_t column) {
+  const bool was_on = before.cutter_side != Code::G40, has_plane = before.plane == modal_.plane;
+  if (was_on && !is_on()) {
+    return error("cutter-compensation", column,
+                 "modes that were kept while cutter compensation was on come back without it",
+                 "keep them before it, or G40 behind them");
+  }
+  const bool is_alike = before.cutter_side == modal_.cutter_side && has_plane && before.system == modal_.system &&
+                        tool_length == frame_.tool();
+  const bool has_place = has_plane || !is_on() || options_.dialect != Dialect::linuxcnc;
+  if (was_on ? !is_alike : !has_place) {
+    return error("cutter-compensation", column,
+                 "another plane, offset or side comes back while cutter compensation is on", "G40 before it");
+  }
+  if (!was_on) end();
+  return true;
 }
 
 void CutterCompensation::forget_tool() {

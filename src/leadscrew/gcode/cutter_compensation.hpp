@@ -35,13 +35,17 @@ class CutterCompensation : Part {
 
   /// Reports what cannot stand in a block while it is on. Error: `cutter-compensation`.
   void check(const Block& block);
-  /// G40 … G42.1. Errors: `cutter-compensation`, and those of CutterRadius.
+  /// G41 … G42.1. Errors: `cutter-compensation`, and those of CutterRadius.
   void set(const Block& block);
+  /// G40: before what else its block changes.
+  void end();
+  /// Modes come back that were kept (M72), before any other changes. Error: `cutter-compensation`, where it would be switched on.
+  bool bring_back(const ModalState& before, const base::AxisVector& tool_length, std::uint32_t column);
 
   /// Whether moves go through it: while it is on, and until the line behind G40.
   bool is_active() const { return is_on() || is_aside_ || tool_ || !kept_.empty(); }
-  /// Whether moves are kept back that the block ends. Before it is executed: settle(), and take() all.
-  bool ends_with(const Block& block) const { return !kept_.empty() && block.has(Group::cutter_radius); }
+  /// Whether moves are kept back. Before it ends: settle(), and take() all.
+  bool keeps_back() const { return !kept_.empty(); }
   /// Decides what is kept back: no motion in the plane follows it.
   void settle();
 
@@ -69,10 +73,11 @@ class CutterCompensation : Part {
   bool is_on() const { return phase_ != Phase::off; }
   bool refuse(Code code, std::uint32_t column);
   bool allows_groups(const Block& block);
+  std::uint32_t groups_before_end(const Block& block) const;
+  std::uint32_t groups_within(const Block& block) const;
   bool allows_nonmodal(const Block& block) const;
   bool begin(const Block& block, const Cutter& cutter);
   bool set_origin(const Block& block, const Cutter& cutter);
-  void end();
 
   bool is_in_plane(const Move& move) const;
   bool is_searched(const Move& move) const;

@@ -30,7 +30,7 @@ Interpreter::Interpreter(const Context& context)
       tilted_planes_(context, travel_, outbox_),
       transforms_(context),
       polar_(context),
-      saved_modes_(context, outbox_, offsets_),
+      saved_modes_(context, outbox_, offsets_, compensation_),
       check_(context, travel_) {
   modal_.tolerance = machine_.tolerance;
   if (machine_.rotary_chain) modal_.orientation_tolerance = machine_.rotary_chain->orientation_tolerance;
@@ -67,7 +67,7 @@ void Interpreter::execute_special(Block block) {
   }
   if (pocket_cycle_.is_open()) return pocket_cycle_.add(block);
   if ((surface_blocks_.is_open() || directed_curve_.is_open()) && add_to_surface(block)) return;
-  if (saved_modes_.leave_calls()) set_path_control({});
+  if (saved_modes_.leave_calls(block)) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
   if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
@@ -277,6 +277,7 @@ void Interpreter::end(base::Line line) {
 }
 
 void Interpreter::set_modes(const Block& block) {
+  if (block.is(Code::G40)) compensation_.end();
   modal_.plane = plane_after(block, modal_);
   if (block.has(Group::units)) frame_.length_unit = block.is(Code::G20) ? 25.4 : 1;
   if (block.has(Group::user)) offsets_.switch_tip_control(block);
@@ -294,7 +295,7 @@ void Interpreter::set_modes(const Block& block) {
   if (block.has(Group::path)) set_path_control(block);
   if (block.is(Code::G187)) set_smoothness(block);
   if (block.is(Code::G9)) modal_.effective_mode = PathMode::exact_stop;
-  if (block.has(Group::cutter_radius)) compensation_.set(block);
+  if (block.has(Group::cutter_radius) && !block.is(Code::G40)) compensation_.set(block);
   modal_.distance = distance_after(block, modal_);
   if (block.has(Group::arc_distance)) {
     modal_.arc_distance = block.is(Code::G90_1) ? Distance::absolute : Distance::incremental;

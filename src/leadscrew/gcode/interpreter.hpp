@@ -57,7 +57,8 @@ class Interpreter : Part {
   bool keeps_back() const { return vectors_.is_open(); }
   /// Whether the block waits until all that is kept back, here or by cutter compensation, has been handed out.
   bool waits(const Block& block) const {
-    return (keeps_back() && !vectors_.goes_on(block)) || compensation_.ends_with(block);
+    return (keeps_back() && !vectors_.goes_on(block)) ||
+           (compensation_.keeps_back() && (block.has(Group::cutter_radius) || saved_modes_.end_compensation(block)));
   }
   [[gnu::cold]] void settle();
   /// Of a line that was kept back, where its move was the last; else null.

@@ -76,11 +76,7 @@ void Offsets::begin_tip_control(std::uint32_t column) {
           "kinematics = \"table-table-ac\" in the machine file, or another of its names");
     return;
   }
-  if (modal_.tool_is_aside) {
-    error("cutter-exit", column, "tool centre point control before a move behind G40",
-          "a line of G0 or G1 before it, which leads to where the program says");
-    return;
-  }
+  if (fails_beside_contour(column, "tool centre point control")) return;
   frame_.begin_tip_control(machine_);
 }
 

@@ -42,6 +42,16 @@ class Part {
   [[gnu::cold]] bool error(std::string_view code, std::uint32_t column, std::string message, std::string hint) {
     return reporter_.error(code, column, std::move(message), std::move(hint));
   }
+  /// As the program's dialect calls it: "G38.2"; G32 of Fanuc's lathes for G33.
+  [[gnu::cold]] std::string name(Code code) const { return gcode::name(code, options_.dialect); }
+  /// Behind G40 the tool stands beside the contour: whether it does, where `what` needs it where the program stands, and then
+  /// reported. Error: `cutter-exit`.
+  [[gnu::cold]] bool fails_beside_contour(std::uint32_t column, const std::string& what) {
+    if (!modal_.tool_is_aside) return false;
+    error("cutter-exit", column, what + " before a move behind G40",
+          "a line of G0 or G1 before it, which leads to where the program says");
+    return true;
+  }
 
   const machine::Machine& machine_;
   machine::ToolTable& tools_;

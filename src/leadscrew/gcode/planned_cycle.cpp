@@ -10,6 +10,7 @@ void PlannedCycle::begin(const Block& block) {
   start_ = frame_.to_program(frame_.position);
   end_ = frame_.position;
   for (std::size_t i = 0; i < position_.size(); ++i) position_[i] = start_[i];
+  if (modal_.tool_is_aside) add(end_, 0, {}, Feed{});
 }
 
 void PlannedCycle::begin_kept(const Block& block) {
@@ -69,8 +70,7 @@ void PlannedCycle::line(const std::array<double, 3>& to, const Feed& feed) {
   if (!has_room()) return;
   position_ = to;
   const base::AxisVector end = placed(to);
-  const bool comes_back = modal_.tool_is_aside && moves_.empty();
-  if ((end != end_ || comes_back) && is_inside(end, end)) add(end, 0, {}, feed);
+  if (end != end_ && is_inside(end, end)) add(end, 0, {}, feed);
 }
 
 void PlannedCycle::arc(PlanePoint to, PlanePoint center, int turn, const Feed& feed) {

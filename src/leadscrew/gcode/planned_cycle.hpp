@@ -13,7 +13,8 @@ class PlannedCycle : Part {
   PlannedCycle(const Context& context, Travel& travel, Outbox& outbox)
       : Part(context), travel_(travel), outbox_(outbox) {}
 
-  /// A cycle of this block begins where the program stands. The block must outlive the calls that add moves.
+  /// A cycle of this block begins where the program stands; from beside a contour a move at rapid leads there first. The
+  /// block must outlive the calls that add moves.
   [[gnu::cold]] void begin(const Block& block);
   /// The same of a block before, whose place the reporter has kept: problems are told there.
   [[gnu::cold]] void begin_kept(const Block& block);

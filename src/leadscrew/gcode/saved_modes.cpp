@@ -3,7 +3,7 @@
 namespace leadscrew::gcode {
 
 bool SavedModes::execute(const Block& block) {
-  leave_calls();
+  leave_calls(block);
   const Code code = block.code(Group::modes);
   if (code == Code::M70 || code == Code::M73) {
     keep(code == Code::M73);
@@ -15,8 +15,16 @@ bool SavedModes::execute(const Block& block) {
     return false;
   }
   if (!has_any) return error("missing-modes", block.column_of(Group::modes), "no modes are kept", "give M70 before");
-  bring_back(kept_.back());
-  return true;
+  return bring_back(kept_.back(), block.column_of(Group::modes));
+}
+
+bool SavedModes::end_compensation(const Block& block) const {
+  const auto ends = [](const Kept& kept) { return kept.modal.cutter_side == Code::G40; };
+  if (block.is(Code::M72) && !kept_.empty() && ends(kept_.back())) return true;
+  for (const Kept& kept : kept_) {
+    if (kept.calls > modal_.fewest_calls && kept.comes_back && ends(kept)) return true;
+  }
+  return false;
 }
 
 void SavedModes::keep(bool comes_back) {
@@ -25,19 +33,18 @@ void SavedModes::keep(bool comes_back) {
   modal_.is_plain = false;
 }
 
-bool SavedModes::leave_calls() {
+bool SavedModes::leave_calls(const Block& block) {
   bool any = false;
   for (; !kept_.empty() && kept_.back().calls > modal_.fewest_calls; kept_.pop_back()) {
-    if (!kept_.back().comes_back) continue;
-    bring_back(kept_.back());
-    any = true;
+    if (kept_.back().comes_back && bring_back(kept_.back(), block.first_column)) any = true;
   }
   modal_.fewest_calls = modal_.calls;
   return any;
 }
 
-void SavedModes::bring_back(const Kept& kept) {
+bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
   const ModalState& before = kept.modal;
+  if (!compensation_.bring_back(before, kept.tool_length, column)) return false;
   frame_.length_unit = kept.length_unit;
   modal_.plane = before.plane;
   modal_.distance = before.distance;
@@ -57,6 +64,7 @@ void SavedModes::bring_back(const Kept& kept) {
   frame_.set_tool(kept.tool_length);
   if (modal_.tip_by_m) frame_.begin_tip_control(machine_);
   bring_back_machine(before);
+  return true;
 }
 
 void SavedModes::bring_back_machine(const ModalState& before) {

@@ -3,8 +3,10 @@
 //
 // Each call has modes of its own to keep, once: M70 and M73 keep them, M72 brings them back, M71 forgets them. What M73
 // has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, tool length, the coordinate
-// system, path control, retract mode, diameters, spindle, coolant and overrides are kept; the motion in force is not.
+// system, path control, retract mode, diameters, spindle, coolant and overrides are kept, and that cutter compensation is
+// off; the motion in force is not.
 
+#include <leadscrew/gcode/cutter_compensation.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 #include <vector>
 
@@ -12,13 +14,15 @@ namespace leadscrew::gcode {
 
 class SavedModes : Part {
  public:
-  SavedModes(const Context& context, Outbox& outbox, Offsets& offsets)
-      : Part(context), outbox_(outbox), offsets_(offsets) {}
+  SavedModes(const Context& context, Outbox& outbox, Offsets& offsets, CutterCompensation& compensation)
+      : Part(context), outbox_(outbox), offsets_(offsets), compensation_(compensation) {}
 
-  /// M70 … M73; whether modes came back. An error where M72 has none to bring back.
+  /// M70 … M73; whether modes came back. Errors: `missing-modes` where M72 has none to bring back, `cutter-compensation`.
   bool execute(const Block& block);
-  /// What M73 kept in calls that have ended comes back; whether any did.
-  bool leave_calls();
+  /// Before this block what M73 kept in calls that have ended comes back; whether any did. Error: `cutter-compensation`.
+  bool leave_calls(const Block& block);
+  /// Whether leave_calls() or execute() will end cutter compensation, if that is on.
+  bool end_compensation(const Block& block) const;
   /// Whether any are kept.
   bool any() const { return !kept_.empty(); }
 
@@ -32,12 +36,13 @@ class SavedModes : Part {
   };
 
   void keep(bool comes_back);
-  void bring_back(const Kept& kept);
+  bool bring_back(const Kept& kept, std::uint32_t column);
   void bring_back_machine(const ModalState& before);
   void bring_back_overrides(const ModalState& before);
 
   Outbox& outbox_;
   Offsets& offsets_;
+  CutterCompensation& compensation_;
   std::vector<Kept> kept_;  // by calls, ascending
 };
 

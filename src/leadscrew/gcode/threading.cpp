@@ -41,7 +41,7 @@ std::optional<double> Threading::lead_of(const Block& block) {
   if (options_.dialect == Dialect::fanuc_lathe && !block.has('F') && modal_.feed_word > 0) return modal_.feed_word;
   if (!block.has(letter)) {
     const bool is_of_lathe = options_.dialect == Dialect::fanuc_lathe;
-    const std::string called = name(modal_.to_do, options_.dialect), wanted = is_of_lathe ? "F" : "K";
+    const std::string called = name(modal_.to_do), wanted = is_of_lathe ? "F" : "K";
     error("missing-word", motion_column(block), called + " lacks " + wanted,
           "give the travel in a revolution: " + called + " Z-10 " + wanted + "1.25");
     return std::nullopt;
@@ -49,7 +49,7 @@ std::optional<double> Threading::lead_of(const Block& block) {
   if (letter == 'K' && block.has('F')) {
     const bool is_lead = options_.dialect == Dialect::fanuc_lathe;
     error("unused-word", block.column_of(is_lead ? 'K' : 'F'),
-          name(modal_.to_do, options_.dialect) + (is_lead ? " takes no K" : " takes no F"),
+          name(modal_.to_do) + (is_lead ? " takes no K" : " takes no F"),
           is_lead ? "F is the travel in a revolution" : "K and S are its feed");
     return std::nullopt;
   }

@@ -231,11 +231,7 @@ void TiltedPlanes::orient(const Block& block) {
     error("tip-control", column, code + " while tool centre point control is on", "G49 before it");
     return;
   }
-  if (modal_.tool_is_aside) {
-    error("cutter-exit", column, code + " before a move behind G40",
-          "a line of G0 or G1 before it, which leads to where the program says");
-    return;
-  }
+  if (fails_beside_contour(column, code)) return;
   const std::optional<int> side = as_integer(block.value_or('P', 0));
   if (!side || *side < 0 || *side > 2) {
     error("bad-value", block.column_of('P'), code + " has P" + text(block['P']),
