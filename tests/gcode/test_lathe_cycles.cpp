@@ -58,6 +58,13 @@ TEST(LatheRoughing, CutsLevelByLevelAndThenAlongTheContour) {
             "r10,0 f10,-10 f14,-10");
 }
 
+// From beside a contour the tool first comes back to where the program stands.
+TEST(LatheRoughing, BeginsWhereTheProgramStandsBehindG40) {
+  const std::string aside = "G0 X20 Z9\nG42.1 D2\nG1 X14 Z8\nZ2\nG40\n";
+  const std::string moves = story(head + step + aside + "G71 Q100 I2 R0.5\nM2\n");
+  EXPECT_NE(moves.find(" f15,2 r14,2 f14,-10 r14.5,-9.5 "), std::string::npos) << moves;
+}
+
 TEST(LatheRoughing, ArcsEndCuts) {
   // A quarter of radius 4 about X14 Z-6: the cut at X12 ends where (X − 14)² + (Z + 6)² = 16.
   const std::string text = head + sub("G1 X10 Z0\nZ-6\nG2 X14 Z-10 I4\n") + "G0 X14 Z2\nG71 Q100 I2 R0\nM2\n";

@@ -138,10 +138,7 @@ void Motion::tell_standing(const Block& block) {
 
 void Motion::line_to(const Block& block, const base::AxisVector& target, const Feed& feed) {
   travel_.inside_travel(block, target);
-  bool names_place = block.words & axis_letter_bits;
-  for (const Code code : {Code::G0, Code::G1, Code::G28, Code::G30}) names_place |= block.is(code);
-  const bool comes_back = modal_.tool_is_aside && names_place;
-  if (target == frame_.position && !comes_back) return;
+  if (target == frame_.position && !modal_.tool_is_aside) return;
   modal_.tool_is_aside = false;
   Move& line = outbox_.emit(Move::Kind::line);
   line.end = target;
