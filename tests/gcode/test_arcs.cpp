@@ -76,6 +76,20 @@ TEST(ArcByCentre, CountsTurnsWithP) {
   EXPECT_EQ(arc_of("G2 X10 I5 P2 F60\nM2\n").turns, -2);
 }
 
+// An end that rounding leaves beside the start closes the circle, whichever side of it that is.
+TEST(ArcByCentre, ClosesWhereRoundingLeavesItsEndBesideItsStart) {
+  for (const std::string start : {"[-2.2883-[-8.71]+-8.71]", "-2.28830000000001", "-2.28829999999999"}) {
+    for (const std::string code : {"G2", "G3", "G2 P2", "G3 P3"}) {
+      const std::string text =
+          "G0 X" + start + " Y1.2779\n" + code + " X-2.2883 Y1.2779 I0.979241 J-0.542969 F60\nM2\n";
+      const Reading reading = read_well(text);
+      ASSERT_EQ(reading.arcs().size(), 1u) << text;
+      EXPECT_EQ(reading.arcs()[0].start, reading.arcs()[0].end) << text;
+      EXPECT_EQ(reading.lines().size(), 1u) << text;
+    }
+  }
+}
+
 TEST(ArcByCentre, NeedsNoCodeInEveryBlock) {
   EXPECT_EQ(read_well("G3 X10 I5 F60\nX0 I-5\nI5\nM2\n").arcs().size(), 3u);
 }

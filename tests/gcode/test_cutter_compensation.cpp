@@ -139,6 +139,17 @@ TEST(CutterCompensation, GoesOnFromBesideTheContourWhereNoMoveIsBehindG40) {
   EXPECT_EQ(behind("G30 Y20"), "r20,20 r20,0");
 }
 
+// Nothing moves the contour while it is on: no system of Fanuc's and Haas' further ones, no T of their lathes; D is no other.
+TEST(CutterCompensation, IsNotMovedByWordsOfFanucsFamily) {
+  const std::string haas = "G154 P1\nG41 D7\nG1 X10.\nX20.\n", mill = "G54.1 P1\nG41 D7\nG1 X10.\nX20.\n";
+  EXPECT_EQ(problems(haas + "G10 L20 P1 Y5.", with_tool(4, Dialect::haas)), "6:1 cutter-compensation; ");
+  EXPECT_EQ(problems(mill + "G10 L20 P1 Y5.", with_tool(4, Dialect::fanuc)), "6:1 cutter-compensation; ");
+  EXPECT_EQ(problems(mill + "G10 L20 P2 Y5.\nG10 L2 P1 Y5.", with_tool(4, Dialect::fanuc)), "");
+  EXPECT_EQ(problems(mill + "X30. D2", with_tool(4, Dialect::fanuc)), "6:6 unused-word; ");
+  const std::string lathe = "T0707\nG98 G0 X60. Z5.\nG42 G1 X40. Z2. F200.\nZ-10.\n";
+  EXPECT_EQ(problems(lathe + "T0700", with_tool(4, Dialect::fanuc_lathe)), "6:1 cutter-compensation; ");
+}
+
 // What a cycle plans as a whole begins where the program stands, too: a rapid leads there, whatever its first move is.
 TEST(CutterCompensation, ComesBackBeforeCyclesOfLathesPeck) {
   const auto behind = [](const std::string& cycle) {

@@ -145,6 +145,16 @@ TEST(StockRemoval, CutsAlongZ) {
             "r10.3,2.1 f10.3,-9.9 f14.3,-9.9 f14.3,-19.9 f20.3,-19.9 r20,2 r30,2");
 }
 
+// The depth of a cut is a length, whatever unit holds when the cycle comes.
+TEST(StockRemoval, TakesTheDepthInTheUnitOfItsBlock) {
+  const std::string cycle = "G71 P10 Q40 U0 F0.25\n" + step + "G0 X60.\nM30\n";
+  const auto first_cut = [&](const std::string& depth) {
+    return story(head + "G0 X40. Z2.\n" + depth + cycle, 1).substr(0, 8);
+  };
+  EXPECT_EQ(first_cut("G20 G71 U0.1 R0.01\nG21\n"), first_cut("G71 U2.54 R0.254\n"));
+  EXPECT_NE(first_cut("G71 U0.1 R0.01\n"), first_cut("G71 U2.54 R0.254\n"));
+}
+
 TEST(StockRemoval, CutsAlongX) {
   EXPECT_EQ(
       story(
@@ -274,7 +284,7 @@ TEST(CyclesOfLathes, AreRefusedWhereTheyCannotBeCut) {
   EXPECT_EQ(roughing("G71 P10 Q40 F0.2", "N10 G0 X20.\nG1 Z-10.\nX28. Z-5.\nZ-20.\nN40 X40.\n"), "3:1 bad-contour; ");
   EXPECT_EQ(roughing("G71 P10 Q40 F0.2", "N10 G0 X20.\nG1 Z-600.\nN40 X40.\n"), "3:1 travel; ");
   EXPECT_EQ(roughing("G70 P10 Q40 F0.2", "M30\nN10 G0 X20.\nG1 Z-10.\nGOTO 50\nN40 X40.\nN50 Z-30.\n"),
-            "5:1 unmatched-o-word; ");
+            "10:1 bad-contour; 5:1 unmatched-o-word; ");
   const auto thread = [](const std::string& blocks) { return problems(head + "G0 X24. Z5.\n" + blocks + "\nM30\n"); };
   EXPECT_EQ(thread("G76 X18. Z-14. P1000 F2."), "3:1 missing-word; ");
   EXPECT_EQ(thread("G76 X18. Z-14. P1000 Q0 F2."), "3:22 bad-value; ");

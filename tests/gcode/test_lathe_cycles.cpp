@@ -215,7 +215,7 @@ TEST(LatheContours, AreWrittenInManyWays) {
   const std::string same = "r10,0 f10,-4 a12,-6,-1 f14,-10";
   for (const std::string blocks :
        {"G0 X10 Z0\nZ-4\nG2 X12 Z-6 I2\nG1 X14 Z-10\n", "X10 Z0\nW-4\nG2 U2 W-2 R2\nG1 U2 W-4\n",
-        "#1=4\nG1 X10 Z0\nO1 if [#1 GT 3]\nZ-#1\nO1 endif\nG2 X12 Z-6 R2\nM8 S20\nG1 X14 Z-10\n"}) {
+        "#1=4\nG1 X10 Z0\nO1 if [#1 GT 3]\nZ-#1\nO1 endif\nG2 X12 Z-6 R2\nG1 X14 Z-10\n"}) {
     EXPECT_EQ(story(head + sub(blocks) + cycle, 1), same) << blocks;
   }
   EXPECT_EQ(story(head + "G90.1\n" + sub("X10 Z0\nZ-4\nG2 X12 Z-6 I12 K-4\nG1 X14 Z-10\n") + cycle, 1), same);
@@ -227,6 +227,13 @@ TEST(LatheContours, AreWrittenInManyWays) {
 TEST(LatheContours, LeaveTheMotionOfTheirLastMove) {
   const std::vector<Move> lines = read_well(head + step + "G0 X16 Z2\nG70 Q100\nX30\nM2\n").lines();
   EXPECT_EQ(lines.back().feed.mode, Feed::Mode::units_per_second);
+}
+
+// Nothing but where they lead counts of their blocks.
+TEST(LatheContours, TellWhatDoesNothingInThem) {
+  const std::string blocks = "X10 Z0\nG42 Z-4\nG20 M8\nT1\nX14 Z-10 F30\n";
+  EXPECT_EQ(read(head + sub(blocks) + "G0 X16 Z2\nG70 Q100\nM2\n").problems(),
+            "4:1 bad-contour; 5:1 bad-contour; 5:5 bad-contour; 6:1 bad-contour; ");
 }
 
 TEST(LatheContours, AreRefusedWhereTheyCannotBeCut) {

@@ -203,6 +203,15 @@ TEST(KeptModes, AreEachCallsOwn) {
   // Also where another call begins before any block does.
   EXPECT_EQ(end_of("o<a> sub\nM73\nG91\no<a> endsub\no<b> sub\no<b> endsub\nG0 X1\no<a> call\no<b> call\nX1 Y1\nM2\n"),
             (Point{1, 1, 0}));
+  // What a line says is read in them.
+  EXPECT_EQ(end_of("o<a> sub\nM73\nG20\no<a> endsub\nG0 X10\no<a> call\nX[#5420+1]\nM2\n"), (Point{11, 0, 0}));
+  EXPECT_EQ(
+      end_of("o<a> sub\nM73\nG91\no<a> endsub\no<a> call\no<b> if [#<_incremental>]\nG0 X9\no<b> endif\nG0 Y1\nM2\n"),
+      (Point{0, 1, 0}));
+  EXPECT_EQ(read("F60\no<a> sub\nM73\nG55\nG5.2 X10 Y10 P1\no<a> endsub\no<a> call\nX20 Y0\nG5.3\nM2\n")
+                .problems()
+                .substr(0, 22),
+            "8:1 unfinished-curve; ");
   EXPECT_EQ(read("o<a> sub\nM72\no<a> endsub\nM70\no<a> call\nM2\n").problems(), "2:1 missing-modes; ");
   EXPECT_EQ(read("M72\nM2\n").problems(), "1:1 missing-modes; ");
   EXPECT_EQ(read("M70\nM71\nM72\nM2\n").problems(), "3:1 missing-modes; ");

@@ -87,6 +87,7 @@ TEST(ParameterFile, KeepsOffsetsAndWhatItHeldBefore) {
   EXPECT_NEAR(value_in(kept, 5162), 25.4, 1e-12);
   EXPECT_EQ(value_in(kept, 5210), 0);
   EXPECT_EQ(value_in(kept, 5220), 1);
+  EXPECT_EQ(value_in(kept_by("#5220=2\nG0 X1\nM2\n"), 5220), 1);
   // Nine places of G28 and of G30, G92 and its nine, the system, and ten of each of nine systems; two more.
   EXPECT_EQ(kept.size(), 9u + 9 + 1 + 9 + 1 + 9 * 10 + 2);
   EXPECT_EQ(read_parameter_file(parameter_file_text(kept), {}).values, kept);

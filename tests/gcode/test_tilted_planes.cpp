@@ -367,5 +367,13 @@ TEST(ToolCentrePoint, IsSwitchedByM428AndM429) {
   EXPECT_NE(elsewhere.diagnostics[0].hint.find("linuxcnc"), std::string::npos);
 }
 
+// As G55 by itself is refused there.
+TEST(TiltedPlane, KeepsItsCoordinateSystem) {
+  const Conditions conditions = on("table-table-ac");
+  const std::string kept = "F500\nG55\nM70\nG54\n", tilted = "G68.2 X0 Y0 Z0 I0 J30 K0\nG1 X1\nM72\nG1 X2\nM2\n";
+  EXPECT_EQ(read(kept + tilted, conditions).problems(), "7:1 tilted-plane; ");
+  EXPECT_EQ(read("F500\nM70\nG91\n" + tilted, conditions).problems(), "");
+}
+
 }  // namespace test_tilted_planes
 }  // namespace leadscrew::gcode

@@ -264,5 +264,50 @@ TEST(ToolVectors, AreToldAsAnglesInCanon) {
   EXPECT_LT(canon.find("STRAIGHT_FEED(1.0000, 0.0000, 0.0000, -44.7"), canon.find("CANON_UNITS_INCHES")) << canon;
 }
 
+// What a value of a rotary axis has decided is handed out before another tool, path control or direction holds.
+TEST(ToolVectors, AreHandedOutBeforeWhatFollowsAPlaceThatIsRead) {
+  const auto ways = [](const std::string& asked, const std::string& behind) {
+    Conditions conditions = trunnion();
+    machine::Tool tool;
+    tool.number = 2;
+    tool.offset[2] = 30;
+    conditions.tools = machine::ToolTable({*conditions.tools.find(1), tool});
+    std::vector<std::array<double, 4>> told;
+    const std::string text = "G61.1 F1000\nG43.5 H1\nG0 X0 Y0 Z10\nG1 X10 I0 J0.1 K1\nX20 Y5 J0.2\n";
+    for (const Move& move : read(text + asked + behind + "\nM2\n", conditions).moves)
+      told.push_back({move.end[0], move.end[2], move.end[a], static_cast<double>(move.path_mode)});
+    EXPECT_GE(told.size(), 4u);
+    return told;
+  };
+  for (const std::string behind : {"G49", "G43.5 H2", "G64 P2", "G49 Q5", "M429", "G1 X30 J0.3\nG49"}) {
+    for (const std::string asked : {"#1=#5424\n", "o1 if [#5424 gt 100]\no1 endif\n", "(debug,A is #<_a>)\n"})
+      EXPECT_EQ(ways(asked, behind), ways("", behind)) << asked << behind;
+  }
+}
+
+// M72, and the end of a call with M73, leave the tip where it is told.
+TEST(ToolVectors, ComeBackWithModesThatWereKept) {
+  const auto last = [](const std::string& text) {
+    const Reading reading = read(text + "M2\n", trunnion());
+    EXPECT_EQ(reading.problems(), "") << text;
+    return reading.lines().back();
+  };
+  const std::string begin = "F600 G43.4 H1\nG0 Z10\n", vectors = "F600 G43.5 H1\nG0 Z10\n";
+  EXPECT_TRUE(last(begin + "M70\nM72\nG1 A30\n").is_of_tip);
+  EXPECT_TRUE(last("o1 sub\nM73\nG91\no1 endsub\n" + begin + "o1 call\nG1 A30\n").is_of_tip);
+  EXPECT_TRUE(last(begin + "M70\nG49\nM72\nG1 A30\n").is_of_tip);
+  EXPECT_NEAR(std::abs(last(vectors + "M70\nM72\nG1 X9 J-1 K1\n").end[a]), 45, 1e-9);
+  EXPECT_FALSE(last("F600 G43 H1\nG0 Z10\nM70\nG43.4 H1\nM72\nG1 A30\n").is_of_tip);
+}
+
+// The level at which a series of holes began is one of the axes, or of the tip.
+TEST(ToolVectors, EndASeriesOfHolesWhereTheTipIsTold) {
+  const std::string hole = "G98 G81 X0 Z-5 R2 F500\n";
+  for (const std::string block : {"M428", "G43.4 H1"})
+    EXPECT_EQ(read("G43 H1\nG0 Z40\n" + hole + block + "\nX20\nG80\nM2\n", trunnion()).problems(),
+              "5:1 missing-word; ");
+  EXPECT_EQ(read("G43.4 H1\nG0 Z40\n" + hole + "G43 H1\nX20\nG80\nM2\n", trunnion()).problems(), "5:1 missing-word; ");
+}
+
 }  // namespace test_tool_vectors
 }  // namespace leadscrew::gcode

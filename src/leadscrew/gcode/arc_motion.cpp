@@ -17,6 +17,11 @@ constexpr char offset_letter(base::Axis axis) {
   return static_cast<char>('I' + base::index(axis));
 }
 
+bool is_rounding(PlanePoint a, PlanePoint b) {
+  constexpr double rounding = 1e-9;  // mm
+  return numeric::hypot(b.first - a.first, b.second - a.second) < rounding;
+}
+
 }  // namespace
 
 // Along the helix, in X, Y and Z.
@@ -186,13 +191,15 @@ void Motion::arc_inside(const Block& block, PlanePoint start, const ArcPlan& pla
 
 // The circle is found where it was written: in the program's coordinates where more than offsets lie between.
 [[gnu::cold]] bool Motion::plan_turned_arc(const Block& block, const base::AxisVector& target, ArcPlan& plan) {
-  const PlanePoint from = in_plane(frame_.to_program(frame_.position), modal_.plane);
-  PlanePoint end = in_plane(frame_.to_program(target), modal_.plane);
-  // What is no more than rounding makes no end of a whole turn another place than its start.
-  constexpr double rounding = 1e-9;  // mm
-  plan.closes = numeric::hypot(end.first - from.first, end.second - from.second) < rounding;
-  if (plan.closes) end = from;
-  const bool known = plan_arc(block, from, end, plan);
+  return plan_closing_arc(block, in_plane(frame_.to_program(frame_.position), modal_.plane),
+                          in_plane(frame_.to_program(target), modal_.plane), plan);
+}
+
+// What is no more than rounding makes no end of a whole turn another place than its start.
+bool Motion::plan_closing_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan) {
+  plan.closes = is_rounding(start, end);
+  if (plan.closes) end = start;
+  const bool known = plan_arc(block, start, end, plan);
   plan.reaches = plan.circle.end.first == end.first && plan.circle.end.second == end.second;
   return known;
 }
@@ -206,6 +213,8 @@ std::optional<ArcCircle> Motion::plain_circle(const Block& block, Code motion, c
   if (!known || modal_.arc_distance != Distance::incremental || !machine_.has(first) || !machine_.has(second))
     return {};
   const PlanePoint start = in_plane(frame_.position, modal_.plane), end = in_plane(target, modal_.plane);
+  const bool closes = start.first == end.first && start.second == end.second;
+  if (!closes && is_rounding(start, end)) return {};
   const ArcTolerance tolerance = arc_tolerance(frame_.length_unit != 1);
   const int direction = motion == Code::G3 ? 1 : -1;
   const PlanePoint center{start.first + block.value_or(first_letter, 0) * frame_.length_unit,
@@ -231,8 +240,8 @@ void Motion::arc(const Block& block) {
   const bool transforms = !frame_.is_offset_only();
   const PlanePoint start = in_plane(frame_.position, modal_.plane);
   ArcPlan plan;
-  const bool known =
-      transforms ? plan_turned_arc(block, target, plan) : plan_arc(block, start, in_plane(target, modal_.plane), plan);
+  const bool known = transforms ? plan_turned_arc(block, target, plan)
+                                : plan_closing_arc(block, start, in_plane(target, modal_.plane), plan);
   Feed feed;
   feed_of(block, true, block.has('F'), feed);  // also where it closes, and its end is where it begins
   // Only a line comes back from outside at once.

@@ -361,6 +361,10 @@ void CurveReader::check(const Block& block) {
   if (motion || block.has(Group::stop)) abandon_curve();
 }
 
+void CurveReader::refuse_modes() {
+  curve_error("unfinished-curve", 1, unfinished_message(), unfinished_hint());
+}
+
 void CurveReader::end() {
   if (open() && !draft_.spoiled && reporter_.errors() == draft_.errors) {
     reporter_.report(base::Severity::error, "unfinished-curve", {reporter_.file(), base::number(modal_.line), 1},

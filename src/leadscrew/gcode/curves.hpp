@@ -30,6 +30,8 @@ class CurveReader : Part {
   /// Between the first block of a curve and the last there is nothing but its points, their feed, and remarks: reports
   /// a block that is something else.
   void check(const Block& block);
+  /// Modes come back within an open curve. Error: `unfinished-curve`.
+  void refuse_modes();
   /// Where the text ends: reports a curve that has not ended.
   void end();
   /// The next G5 has no curve to go on from.

@@ -54,8 +54,10 @@ bool CutterCompensation::allows_nonmodal(const Block& block) const {
     case Code::G8_high_speed:
       return true;
     case Code::G10: {
-      const bool is_system = block.value_or('L', 0) == 2 || block.value_or('L', 0) == 20;
-      return !is_system || (block.value_or('P', 0) != 0 && block.value_or('P', 0) != modal_.system);
+      const double kind = block.value_or('L', 0);
+      const double number =
+          block.value_or('P', 0) + (is_further_system(kind, options_.dialect) ? Parameters::numbered_systems : 0);
+      return (kind != 2 && kind != 20) || (number != 0 && number != modal_.system);
     }
     default:
       return false;
@@ -66,6 +68,10 @@ void CutterCompensation::check(const Block& block) {
   column_ = motion_column(block);
   if (!is_on()) return;
   if (!allows_groups(block) || block.is(Code::G40)) return;
+  if (block.has('T') && options_.dialect == Dialect::fanuc_lathe) {  // another offset
+    error("cutter-compensation", block.column_of('T'), "T while cutter compensation is on", "G40 in a block before it");
+    return;
+  }
   const Code motion = modal_.to_do;
   if (motion != Code::none && !is_line(motion) && !is_arc(motion)) refuse(motion, motion_column(block));
 }

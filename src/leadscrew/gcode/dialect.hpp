@@ -17,6 +17,11 @@ constexpr bool is_of_fanuc_family(Dialect dialect) {
   return dialect == Dialect::fanuc || dialect == Dialect::fanuc_lathe || dialect == Dialect::haas;
 }
 
+/// Whether P of G10 with this L names one of the further systems, of G54.1 or G154.
+constexpr bool is_further_system(double kind, Dialect dialect) {
+  return kind == 20 && is_of_fanuc_family(dialect);
+}
+
 /// A set of dialects.
 struct Dialects {
   std::uint8_t bits = 0;

@@ -181,7 +181,7 @@ void DialectForms::drop_idle_d(Block& block) const {
   modal_.cutter = block['D'];
   const Code code = block.code(Group::nonmodal);
   const bool taken = block.has(Group::cutter_radius) || (code != Code::none && row(code).words.has('D'));
-  if (!taken) drop(block, 'D');
+  if (!taken && modal_.cutter_side == Code::G40) drop(block, 'D');
 }
 
 void DialectForms::rewrite_dwell(Block& block, const TextLine& line) const {

@@ -67,7 +67,6 @@ void Interpreter::execute_special(Block block) {
   }
   if (pocket_cycle_.is_open()) return pocket_cycle_.add(block);
   if ((surface_blocks_.is_open() || directed_curve_.is_open()) && add_to_surface(block)) return;
-  if (saved_modes_.leave_calls(block)) set_path_control({});
   if (block.has(Group::lathe)) modal_.diameters = block.is(Code::G7);
   modal_.is_plain = false;
   if (modal_.diameters && block.has('X')) block.value['X' - 'A'] /= 2;
@@ -136,7 +135,11 @@ void Interpreter::finish_block(const Block& block) {
   stop(block);
 
   curves_.note_errors();
-  if (!reporter_.failed()) return;
+  if (reporter_.failed()) abandon();
+}
+
+// What has been begun is not gone on with behind an error.
+void Interpreter::abandon() {
   curves_.spoil();
   outbox_.clear();
   cycles_.abandon();
@@ -220,6 +223,15 @@ Interpreter::Plain Interpreter::execute_plain_arc(const Block& block, Code motio
   return Plain::move;
 }
 
+void Interpreter::leave_calls() {
+  const bool had_tip_control = frame_.tip_control() != nullptr;
+  if (curves_.open()) curves_.refuse_modes();
+  if (saved_modes_.leave_calls()) set_path_control({});
+  if (had_tip_control != (frame_.tip_control() != nullptr)) cycles_.end_series();
+  if (reporter_.failed()) abandon();
+  modal_.is_plain = is_plain();
+}
+
 void Interpreter::settle() {
   vectors_.settle();
   compensation_.settle();
@@ -277,12 +289,15 @@ void Interpreter::end(base::Line line) {
 }
 
 void Interpreter::set_modes(const Block& block) {
+  const bool had_tip_control = frame_.tip_control() != nullptr;
   if (block.is(Code::G40)) compensation_.end();
   modal_.plane = plane_after(block, modal_);
   if (block.has(Group::units)) frame_.length_unit = block.is(Code::G20) ? 25.4 : 1;
   if (block.has(Group::user)) offsets_.switch_tip_control(block);
   offsets_.set_tool_length(block);
   if (block.is(Code::G43_5)) vectors_.begin(block);
+  if (had_tip_control != (frame_.tip_control() != nullptr))
+    cycles_.end_series();  // its level is of the axes, or of the tip
   if (block.has(Group::system)) {
     offsets_.select_system(block);
   }

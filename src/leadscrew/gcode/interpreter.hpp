@@ -57,9 +57,17 @@ class Interpreter : Part {
   bool keeps_back() const { return vectors_.is_open(); }
   /// Whether the block waits until all that is kept back, here or by cutter compensation, has been handed out.
   bool waits(const Block& block) const {
-    return (keeps_back() && !vectors_.goes_on(block)) ||
-           (compensation_.keeps_back() && (block.has(Group::cutter_radius) || saved_modes_.end_compensation(block)));
+    return (vectors_.any() && !vectors_.goes_on(block)) ||
+           (compensation_.keeps_back() && (block.has(Group::cutter_radius) || saved_modes_.ends_compensation(block)));
   }
+  /// Whether modes that M73 has kept come back before the next line is read: a call has ended.
+  bool leaves_calls() const { return saved_modes_.leaves_calls(); }
+  /// Whether that waits likewise.
+  bool leaving_waits() const {
+    return vectors_.any() || (compensation_.keeps_back() && saved_modes_.leaving_ends_compensation());
+  }
+  /// They come back. What follows from it is handed out. Errors: `cutter-compensation`, `tilted-plane`, `unfinished-curve`.
+  [[gnu::cold]] void leave_calls();
   [[gnu::cold]] void settle();
   /// Of a line that was kept back, where its move was the last; else null.
   const KeptPlace* place_of(base::Line line) const;
@@ -98,6 +106,7 @@ class Interpreter : Part {
   [[gnu::cold]] bool add_to_surface(const Block& block);
   [[gnu::cold]] bool next_of_surface(Move& move);
   void set_modes(const Block& block);
+  void abandon();
   void set_path_control(const Block& block);
   void set_smoothness(const Block& block);
   void execute_motion(const Block& block);

@@ -48,7 +48,7 @@ class LatheCycles : Part {
     PlanePoint end, center;
     std::uint32_t block = 0;  // of feeds_
   };
-  /// What blocks of Fanuc's G71 to G73 without P and Q say, in the program's units.
+  /// What blocks of Fanuc's G71 to G73 without P and Q say, mm.
   struct ProfileSettings {
     double depth = 2;       ///< G71, G72: of a cut
     double retract = 0.5;   ///< G71, G72: how far the tool leaves the cut

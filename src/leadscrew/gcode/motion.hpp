@@ -42,7 +42,6 @@ class Motion : Part {
   struct ArcPlan {
     ArcCircle circle;
     int turns = 1;
-    // Where more than offsets lie between the program's coordinates and the machine's.
     bool closes = false;   // ends where it begins, but for rounding
     bool reaches = false;  // ends where the block says
   };
@@ -56,6 +55,7 @@ class Motion : Part {
   void arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan);
   void tip_arc_inside(const Block& block, PlanePoint start, const ArcPlan& plan, const base::AxisVector& target);
   bool place_circle(ArcPlan& plan) const;
+  bool plan_closing_arc(const Block& block, PlanePoint start, PlanePoint end, ArcPlan& plan);
   bool plan_turned_arc(const Block& block, const base::AxisVector& target, ArcPlan& plan);
   void arc_as_curve(const Block& block, const ArcPlan& plan, const base::AxisVector& target, const Feed& feed);
   static double arc_length(PlanePoint start, const ArcPlan& plan, const Move& arc);

@@ -154,7 +154,7 @@ void Offsets::select_system(const Block& block) {
 
 // The number of the coordinate system that G10 sets.
 std::optional<int> Offsets::system_of(const Block& block, int kind) {
-  const bool is_further = kind == 20 && has_registers();
+  const bool is_further = is_further_system(kind, options_.dialect);
   const int least = is_further ? 1 : 0, most = is_further ? most_of_fanuc : Parameters::numbered_systems;
   const std::optional<int> which = as_integer(block['P']);
   if (!which || *which < least || *which > most) {

@@ -44,6 +44,19 @@ class Part {
   }
   /// As the program's dialect calls it: "G38.2"; G32 of Fanuc's lathes for G33.
   [[gnu::cold]] std::string name(Code code) const { return gcode::name(code, options_.dialect); }
+  /// In the contour of a cycle, codes of other groups than these do nothing, nor do S and T. Warning: `bad-contour`.
+  [[gnu::cold]] void tell_idle_in_contour(const Block& block, std::uint32_t groups) {
+    const auto tell = [&](std::uint32_t column, const std::string& what) {
+      reporter_.warning("bad-contour", column, what + " in a contour does nothing", "before the cycle, or behind it");
+    };
+    for (std::size_t i = 0; i < index(Group::count); ++i) {
+      const Group group = static_cast<Group>(i);
+      if (block.has(group) && !(bit(group) & groups)) tell(block.column_of(group), name(block.code(group)));
+    }
+    for (const char letter : {'S', 'T'}) {
+      if (block.has(letter)) tell(block.column_of(letter), std::string(1, letter));
+    }
+  }
   /// Behind G40 the tool stands beside the contour: whether it does, where `what` needs it where the program stands, and then
   /// reported. Error: `cutter-exit`.
   [[gnu::cold]] bool fails_beside_contour(std::uint32_t column, const std::string& what) {

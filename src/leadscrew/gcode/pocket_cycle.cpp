@@ -118,6 +118,7 @@ bool PocketCycle::add_arc(const Block& block, ContourPiece& piece) {
 }
 
 void PocketCycle::add(const Block& block) {
+  tell_idle_in_contour(block, bit(Group::motion) | bit(Group::distance));
   if (block.has(Group::motion)) motion_code_ = block.code(Group::motion);
   if (block.has(Group::distance))
     distance_ = block.code(Group::distance) == Code::G90 ? Distance::absolute : Distance::incremental;

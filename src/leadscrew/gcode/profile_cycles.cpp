@@ -27,12 +27,15 @@ void LatheCycles::keep_settings(const Block& block) {
   const auto refuse_word = [&](char letter, const char* hint) {
     error("bad-value", block.column_of(letter), name(code) + " has " + letter + text(block[letter]), hint);
   };
+  const auto set = [&](char letter, double& length) {
+    if (block.has(letter)) length = block[letter] * frame_.length_unit;
+  };
   if (code == Code::G73_profile) {
     const std::optional<int> passes = as_integer(block.value_or('R', settings_.passes));
     if (!passes || *passes < 1 || *passes > most_profile_passes) return refuse_word('R', "an integer from 1 to 10000");
     settings_.passes = *passes;
-    settings_.farthest = {block.value_or('W', settings_.farthest.first),
-                          block.value_or('U', settings_.farthest.second)};
+    set('W', settings_.farthest.first);
+    set('U', settings_.farthest.second);
     return;
   }
   const char depth = code == Code::G71_profile ? 'U' : 'W', other = code == Code::G71_profile ? 'W' : 'U';
@@ -41,10 +44,10 @@ void LatheCycles::keep_settings(const Block& block) {
           code == Code::G71_profile ? "U is the depth of a cut" : "W is the depth of a cut");
     return;
   }
-  if (!(block.value_or(depth, settings_.depth) > 0)) return refuse_word(depth, "the depth of a cut must be above 0");
+  if (block.has(depth) && !(block[depth] > 0)) return refuse_word(depth, "the depth of a cut must be above 0");
   if (block.value_or('R', 0) < 0) return refuse_word('R', "the distance of the retract must be 0 or more");
-  settings_.depth = block.value_or(depth, settings_.depth);
-  settings_.retract = block.value_or('R', settings_.retract);
+  set(depth, settings_.depth);
+  set('R', settings_.retract);
 }
 
 void LatheCycles::begin_profile(const Block& block) {
@@ -123,7 +126,8 @@ bool LatheCycles::plan_profile_roughing(std::vector<LatheMove>& moves) {
     return refuse("bad-contour", std::string("the contour goes back along ") + (is_along_x ? "X" : "Z"),
                   "or a corner does not fit");
   }
-  Roughing roughing(contour, settings_.depth, settings_.retract, Pockets::cut, CutOrder::fanuc);
+  const double unit = frame_.length_unit;
+  Roughing roughing(contour, settings_.depth / unit, settings_.retract / unit, Pockets::cut, CutOrder::fanuc);
   moves = roughing.moves();
   if (roughing.outcome() == Roughing::Outcome::too_many) {
     return refuse("too-many-passes", "the cycle takes more than 200000 moves", "deeper cuts");
@@ -153,8 +157,8 @@ bool LatheCycles::plan_profile_passes(std::vector<LatheMove>& moves) {
     PlanePoint off;
     if (repeats) {
       const double part = passes > 1 ? 1 - static_cast<double>(pass) / (passes - 1) : 0;
-      off = {block_.value_or('W', 0) + part * settings_.farthest.first,
-             block_.value_or('U', 0) / 2 + part * settings_.farthest.second};
+      off = {block_.value_or('W', 0) + part * settings_.farthest.first / frame_.length_unit,
+             block_.value_or('U', 0) / 2 + part * settings_.farthest.second / frame_.length_unit};
       moves.push_back({true, 0, moved(start_, off), {}});
     }
     for (const ContourPiece& piece : contour) {

@@ -37,7 +37,9 @@ class Reader::Implementation {
         printer_(reporter_),
         has_printer_commands_(has_form(options_.dialect, Form::printer_commands)) {
     predefined_.before_rotary([this] {
-      if (interpreter_.keeps_back()) interpreter_.settle();
+      if (!interpreter_.keeps_back()) return;
+      interpreter_.settle();
+      pending_ = true;
     });
   }
 
@@ -51,7 +53,9 @@ class Reader::Implementation {
       }
       if (done_) return finish();
       TextLine line;
-      if (reporter_.full()) {
+      if (unread_) {
+        if (read(*std::exchange(unread_, std::nullopt), move)) return true;
+      } else if (reporter_.full()) {
         done_ = true;
       } else if (options_.is_dry && settles_in_drought()) {
         continue;
@@ -95,7 +99,7 @@ class Reader::Implementation {
   void probed(const Probed& result) { interpreter_.probed(result); }
 
   const Frame& frame() const { return frame_; }
-  int system() const { return static_cast<int>(*parameters_.get(Parameters::current_system)); }
+  int system() const { return modal_.system; }
   const ModalState& modal() const { return modal_; }
   const MachinedMove& machined() const { return interpreter_.machined(); }
   std::vector<std::shared_ptr<const surfaces::SurfaceForm>> surfaces() const { return interpreter_.surfaces(); }
@@ -110,6 +114,7 @@ class Reader::Implementation {
   /// There are no more moves.
   bool finish() {
     if (interpreter_.ended() && reporter_.errors() == 0 && options_.parameters_at_end) {
+      if (modal_.system <= Parameters::numbered_systems) parameters_.set(Parameters::current_system, modal_.system);
       std::exchange(options_.parameters_at_end, nullptr)(parameters_.persistent());
     }
     return false;
@@ -126,8 +131,9 @@ class Reader::Implementation {
   enum class Delimiter : std::uint8_t { unknown, none, percent };  // whether the program stands between two %
 
   // Reads and executes a line; true if execute_plain() made a move of it. What else it made is pending.
-  bool read(TextLine& line, Move& move) {
+  bool read(TextLine line, Move& move) {
     reporter_.begin(line);
+    if (interpreter_.leaves_calls()) return leave_calls(line);
     if (line.too_long) {
       empty_ = false;
       return reporter_.error("line-too-long", static_cast<std::int64_t>(longest_line) + 1,
@@ -144,6 +150,18 @@ class Reader::Implementation {
     if (!block_is_read(line)) return false;
     if (interpreter_.waits(block_)) return hold(line);
     return execute_read(line, move);
+  }
+
+  // What a line says is read in the modes that come back before it.
+  [[gnu::cold]] bool leave_calls(const TextLine& line) {
+    if (interpreter_.leaving_waits()) {
+      interpreter_.settle();
+    } else {
+      interpreter_.leave_calls();
+    }
+    unread_ = line;
+    pending_ = true;
+    return false;
   }
 
   // A block that asks where rotary axes are waits until all lines before it have been handed out.
@@ -312,9 +330,10 @@ class Reader::Implementation {
   std::int64_t blocks_ = 0;
   std::size_t contour_calls_ = 0;  // calls under way within the contour of a lathe cycle; 0 without one
   Delimiter delimiter_ = Delimiter::unknown;
-  std::optional<TextLine> held_;  // read, and not yet executed
-  bool empty_ = true;             // nothing but blanks so far
-  bool pending_ = false;          // the interpreter has moves of a block read before
+  std::optional<TextLine> held_;    // read, and not yet executed
+  std::optional<TextLine> unread_;  // taken from the text, and not yet read
+  bool empty_ = true;               // nothing but blanks so far
+  bool pending_ = false;            // the interpreter has moves of a block read before
   bool done_ = false;
 };
 

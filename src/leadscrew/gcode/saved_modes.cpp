@@ -1,9 +1,9 @@
+#include <algorithm>
 #include <leadscrew/gcode/saved_modes.hpp>
 
 namespace leadscrew::gcode {
 
 bool SavedModes::execute(const Block& block) {
-  leave_calls(block);
   const Code code = block.code(Group::modes);
   if (code == Code::M70 || code == Code::M73) {
     keep(code == Code::M73);
@@ -18,25 +18,29 @@ bool SavedModes::execute(const Block& block) {
   return bring_back(kept_.back(), block.column_of(Group::modes));
 }
 
-bool SavedModes::end_compensation(const Block& block) const {
-  const auto ends = [](const Kept& kept) { return kept.modal.cutter_side == Code::G40; };
-  if (block.is(Code::M72) && !kept_.empty() && ends(kept_.back())) return true;
-  for (const Kept& kept : kept_) {
-    if (kept.calls > modal_.fewest_calls && kept.comes_back && ends(kept)) return true;
-  }
-  return false;
+bool SavedModes::ends_compensation(const Block& block) const {
+  return block.is(Code::M72) && !kept_.empty() && kept_.back().modal.cutter_side == Code::G40;
+}
+
+bool SavedModes::leaving_ends_compensation() const {
+  return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+    return kept.calls > modal_.fewest_calls && kept.comes_back && kept.modal.cutter_side == Code::G40;
+  });
 }
 
 void SavedModes::keep(bool comes_back) {
   if (kept_.empty() || kept_.back().calls < modal_.calls) kept_.emplace_back();
-  kept_.back() = {modal_.calls, comes_back, modal_, frame_.length_unit, frame_.tool()};
+  const bool has_tip_control = frame_.tip_control() && !modal_.tip_by_m;
+  kept_.back() = {modal_.calls,          comes_back, modal_, frame_.length_unit, frame_.tool(), has_tip_control,
+                  frame_.takes_vectors()};
+  modal_.fewest_calls = modal_.calls;
   modal_.is_plain = false;
 }
 
-bool SavedModes::leave_calls(const Block& block) {
+bool SavedModes::leave_calls() {
   bool any = false;
   for (; !kept_.empty() && kept_.back().calls > modal_.fewest_calls; kept_.pop_back()) {
-    if (kept_.back().comes_back && bring_back(kept_.back(), block.first_column)) any = true;
+    if (kept_.back().comes_back && bring_back(kept_.back(), 1)) any = true;
   }
   modal_.fewest_calls = modal_.calls;
   return any;
@@ -44,6 +48,10 @@ bool SavedModes::leave_calls(const Block& block) {
 
 bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
   const ModalState& before = kept.modal;
+  if (frame_.is_tilted() && before.system != modal_.system) {
+    return error("tilted-plane", column, "another coordinate system comes back while a plane is tilted",
+                 "G69 before it");
+  }
   if (!compensation_.bring_back(before, kept.tool_length, column)) return false;
   frame_.length_unit = kept.length_unit;
   modal_.plane = before.plane;
@@ -60,11 +68,18 @@ bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
   modal_.linear_feed = before.linear_feed;
   modal_.angular_feed = before.angular_feed;
   if (modal_.system != before.system) offsets_.select_system(before.system);
-  if (frame_.tip_control()) frame_.end_tip_control();
-  frame_.set_tool(kept.tool_length);
-  if (modal_.tip_by_m) frame_.begin_tip_control(machine_);
+  bring_back_tool(kept);
   bring_back_machine(before);
   return true;
+}
+
+// M428 and M429 are none of the modes that are kept.
+void SavedModes::bring_back_tool(const Kept& kept) {
+  if (frame_.tip_control()) frame_.end_tip_control();
+  frame_.set_tool(kept.tool_length);
+  if (kept.takes_vectors) frame_.take_vectors();
+  if (kept.has_tip_control) modal_.tip_by_m = false;
+  if (kept.has_tip_control || modal_.tip_by_m) frame_.begin_tip_control(machine_);
 }
 
 void SavedModes::bring_back_machine(const ModalState& before) {

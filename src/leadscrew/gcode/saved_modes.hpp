@@ -19,10 +19,13 @@ class SavedModes : Part {
 
   /// M70 … M73; whether modes came back. Errors: `missing-modes` where M72 has none to bring back, `cutter-compensation`.
   bool execute(const Block& block);
-  /// Before this block what M73 kept in calls that have ended comes back; whether any did. Error: `cutter-compensation`.
-  bool leave_calls(const Block& block);
-  /// Whether leave_calls() or execute() will end cutter compensation, if that is on.
-  bool end_compensation(const Block& block) const;
+  /// Whether M73 has kept modes in calls that have ended.
+  bool leaves_calls() const { return !kept_.empty() && kept_.back().calls > modal_.fewest_calls; }
+  /// They come back, before the next line is read; whether any did. Errors: `cutter-compensation`, `tilted-plane`.
+  bool leave_calls();
+  // Whether cutter compensation ends with them, if it is on.
+  bool ends_compensation(const Block& block) const;
+  bool leaving_ends_compensation() const;
   /// Whether any are kept.
   bool any() const { return !kept_.empty(); }
 
@@ -33,10 +36,13 @@ class SavedModes : Part {
     ModalState modal;
     double length_unit = 1;
     base::AxisVector tool_length{};
+    bool has_tip_control = false;  ///< by G43.4 or G43.5
+    bool takes_vectors = false;
   };
 
   void keep(bool comes_back);
   bool bring_back(const Kept& kept, std::uint32_t column);
+  void bring_back_tool(const Kept& kept);
   void bring_back_machine(const ModalState& before);
   void bring_back_overrides(const ModalState& before);
 
