@@ -53,6 +53,18 @@ TEST(ThreadRows, TellFeedAndThreadsOfARun) {
     }
     EXPECT_EQ(row(told.output, "threads"), threads);
   }
+  // No thread is what ends before it is in step; nor is its way a run-in.
+  folder.write("part.ngc", "G21 G90 G94\nM3 S1000\nG33 Z-3 K2\nG0 Z10\nG33 Z-40 K2\nM2\n");
+  const auto told = leadscrew(folder, {"run", "part.ngc", "--machine", "lathe.toml"});
+  const std::string threads = row(told.output, "threads");
+  EXPECT_TRUE(threads.starts_with(one + ", at the latest ")) << threads;
+  EXPECT_TRUE(threads.ends_with(" mm behind the beginning: line 5; 1 line too short to get in step: line 3"))
+      << threads;
+  const Json figures = leadscrew(folder, {"run", "part.ngc", "--machine", "lathe.toml", "--json"}).json()["threads"];
+  EXPECT_EQ(figures["lines"], 1);
+  EXPECT_EQ(figures["out_of_step"], 1);
+  EXPECT_EQ(figures["out_of_step_line"], 3);
+  EXPECT_GT(figures["run_in_mm"].get<double>(), 3);
   // Where nothing is simulated a thread goes by S, as feed does.
   folder.write("part.ngc", "G21 G90 G94\nM3 S300\nG33 Z-10 K1\nM2\n");
   const std::string plain = leadscrew(folder, {"run", "part.ngc"}).output;

@@ -145,6 +145,7 @@ TEST(CutterCompensation, IsNotMovedByWordsOfFanucsFamily) {
   EXPECT_EQ(problems(haas + "G10 L20 P1 Y5.", with_tool(4, Dialect::haas)), "6:1 cutter-compensation; ");
   EXPECT_EQ(problems(mill + "G10 L20 P1 Y5.", with_tool(4, Dialect::fanuc)), "6:1 cutter-compensation; ");
   EXPECT_EQ(problems(mill + "G10 L20 P2 Y5.\nG10 L2 P1 Y5.", with_tool(4, Dialect::fanuc)), "");
+  EXPECT_EQ(problems(mill + "X30. D7", with_tool(4, Dialect::fanuc)), "");
   EXPECT_EQ(problems(mill + "X30. D2", with_tool(4, Dialect::fanuc)), "6:6 unused-word; ");
   const std::string lathe = "T0707\nG98 G0 X60. Z5.\nG42 G1 X40. Z2. F200.\nZ-10.\n";
   EXPECT_EQ(problems(lathe + "T0700", with_tool(4, Dialect::fanuc_lathe)), "6:1 cutter-compensation; ");
@@ -169,7 +170,7 @@ TEST(CutterCompensation, ComesBackBeforeCyclesOfLathesPeck) {
 // LinuxCNC changes planes, tools and overrides before G40 of the same block, others behind it.
 TEST(CutterCompensation, EndsBeforeOrBehindWhatElseItsBlockSays) {
   const std::string within = "G41.1 D6\nG1 X20\nY20\n";
-  for (const std::string block : {"G40 G18", "G40 M6 T7", "G40 M66 P0 L0", "G40 M48"}) {
+  for (const std::string block : {"G40 G18", "G40 M6 T7", "G40 M66 P0 L0", "G40 M62 P0", "G40 M48"}) {
     EXPECT_EQ(problems(within + block, with_tool(4, Dialect::linuxcnc)), "5:5 cutter-compensation; ") << block;
     EXPECT_EQ(problems(within + block, with_tool(4)), "") << block;
   }

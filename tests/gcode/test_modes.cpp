@@ -208,6 +208,9 @@ TEST(KeptModes, AreEachCallsOwn) {
   EXPECT_EQ(
       end_of("o<a> sub\nM73\nG91\no<a> endsub\no<a> call\no<b> if [#<_incremental>]\nG0 X9\no<b> endif\nG0 Y1\nM2\n"),
       (Point{0, 1, 0}));
+  EXPECT_EQ(
+      read("F60\no<a> sub\nM70\nG5.2 X1 Y1 P1 L3\no<a> endsub\no<a> call\nX2 Y2 P1\nX3 Y1 P1\nG5.3\nM2\n").problems(),
+      "");
   EXPECT_EQ(read("F60\no<a> sub\nM73\nG55\nG5.2 X10 Y10 P1\no<a> endsub\no<a> call\nX20 Y0\nG5.3\nM2\n")
                 .problems()
                 .substr(0, 22),

@@ -297,7 +297,24 @@ TEST(ToolVectors, ComeBackWithModesThatWereKept) {
   EXPECT_TRUE(last("o1 sub\nM73\nG91\no1 endsub\n" + begin + "o1 call\nG1 A30\n").is_of_tip);
   EXPECT_TRUE(last(begin + "M70\nG49\nM72\nG1 A30\n").is_of_tip);
   EXPECT_NEAR(std::abs(last(vectors + "M70\nM72\nG1 X9 J-1 K1\n").end[a]), 45, 1e-9);
+  EXPECT_EQ(last(vectors + "G0 I0 J-1 K1\nM70\nG49\nG0 A0 C0\nM72\nG1 X10\n").end[a], 0);
   EXPECT_FALSE(last("F600 G43 H1\nG0 Z10\nM70\nG43.4 H1\nM72\nG1 A30\n").is_of_tip);
+}
+
+// From beside a contour it does not; nothing waits for ever there.
+TEST(ToolVectors, DoNotComeBackBesideAContour) {
+  Conditions conditions = trunnion();
+  const auto problems = [&](const std::string& text) { return read("F600\n" + text + "M2\n", conditions).problems(); };
+  const std::string contour = "G41.1 D6\nG1 X20\nY20\n";
+  EXPECT_EQ(problems("G0 A30 C40\nG43.4 H1\nM70\nG49\n" + contour + "M72\nG1 X60\n"), "9:1 cutter-exit; ");
+  EXPECT_EQ(problems("G43.5 H1\nM70\nG49\n" + contour + "M72\nG1 X60\n").substr(0, 17), "8:1 cutter-exit; ");
+  EXPECT_EQ(problems("G43.5 H1\no1 sub\nM73\nG49\n" + contour +
+                     "o1 endsub\no2 sub\nM73\nG1 X60\no2 endsub\no1 call\no2 call\n")
+                .substr(0, 18),
+            "15:1 cutter-exit; ");
+  EXPECT_EQ(
+      problems("o1 sub\nM73\nG41.1 D2\nG1 X10\nG43.5 H1\nG1 X20 J-1 K1\no1 endsub\no1 call\nG1 X30\n").substr(0, 25),
+      "6:1 cutter-compensation; ");
 }
 
 // The level at which a series of holes began is one of the axes, or of the tip.
@@ -306,6 +323,8 @@ TEST(ToolVectors, EndASeriesOfHolesWhereTheTipIsTold) {
   for (const std::string block : {"M428", "G43.4 H1"})
     EXPECT_EQ(read("G43 H1\nG0 Z40\n" + hole + block + "\nX20\nG80\nM2\n", trunnion()).problems(),
               "5:1 missing-word; ");
+  EXPECT_EQ(read("G43.4 H1\nM70\nG43 H1\nG0 Z40\n" + hole + "M72\nX20\nG80\nM2\n", trunnion()).problems(),
+            "7:1 missing-word; ");
   EXPECT_EQ(read("G43.4 H1\nG0 Z40\n" + hole + "G43 H1\nX20\nG80\nM2\n", trunnion()).problems(), "5:1 missing-word; ");
 }
 

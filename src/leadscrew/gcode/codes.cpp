@@ -171,7 +171,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
   g(Code::G61, 610, Group::path, no_marlin, "exact path; in Fanuc's and Haas' dialect exact stop", "NIST IR 6556, 3.5.14"),
   g(Code::G61_1, 611, Group::path, linuxcnc, "exact stop", "NIST IR 6556, 3.5.14"),
   also(g(Code::G64, 640, Group::path, no_small, "rounds corners within a tolerance", "NIST IR 6556, 3.5.14", "PQ"), "E"),
-  g(Code::G96, 960, Group::spindle_mode, no_small, "constant surface speed: the spindle's speed follows X", manual, "D$", "S"),
+  g(Code::G96, 960, Group::spindle_mode, no_small, "constant surface speed: the spindle's speed is that of X where a block ends", manual, "D$", "S"),
   g(Code::G97, 970, Group::spindle_mode, no_small, "S is revolutions per minute", manual, "$"),
   g(Code::G90_turn, 900, Group::motion, {T}, "turning cycle: one cut along Z, and back; R is its taper", fanuc_manual, "R"),
   g(Code::G92_thread, 920, Group::motion, {T}, "threading cycle: one cut, and back; F is the lead, R the taper", fanuc_manual, "R"),

@@ -24,8 +24,7 @@ bool CutterCompensation::allows_groups(const Block& block) {
 
 // What LinuxCNC does before G40 of the same block.
 std::uint32_t CutterCompensation::groups_before_end(const Block& block) const {
-  std::uint32_t groups = bit(Group::tool) | bit(Group::overrides);
-  if (block.is(Code::M66)) groups |= bit(Group::output);
+  std::uint32_t groups = bit(Group::tool) | bit(Group::overrides) | bit(Group::output);
   if (plane_after(block, modal_) != modal_.plane) groups |= bit(Group::plane);
   return groups;
 }

@@ -178,10 +178,11 @@ void DialectForms::drop_idle_words(Block& block) const {
 
 // D that no code of the block takes is that of the next cycle that needs one.
 void DialectForms::drop_idle_d(Block& block) const {
+  const bool is_same = modal_.cutter == block['D'];
   modal_.cutter = block['D'];
   const Code code = block.code(Group::nonmodal);
   const bool taken = block.has(Group::cutter_radius) || (code != Code::none && row(code).words.has('D'));
-  if (!taken && modal_.cutter_side == Code::G40) drop(block, 'D');
+  if (!taken && (modal_.cutter_side == Code::G40 || is_same)) drop(block, 'D');
 }
 
 void DialectForms::rewrite_dwell(Block& block, const TextLine& line) const {

@@ -64,7 +64,8 @@ class Interpreter : Part {
   bool leaves_calls() const { return saved_modes_.leaves_calls(); }
   /// Whether that waits likewise.
   bool leaving_waits() const {
-    return vectors_.any() || (compensation_.keeps_back() && saved_modes_.leaving_ends_compensation());
+    return (vectors_.any() && saved_modes_.leaving_brings_back()) ||
+           (compensation_.keeps_back() && saved_modes_.leaving_ends_compensation());
   }
   /// They come back. What follows from it is handed out. Errors: `cutter-compensation`, `tilted-plane`, `unfinished-curve`.
   [[gnu::cold]] void leave_calls();
@@ -107,6 +108,7 @@ class Interpreter : Part {
   [[gnu::cold]] bool next_of_surface(Move& move);
   void set_modes(const Block& block);
   void abandon();
+  void follow_modes(bool had_tip_control);
   void set_path_control(const Block& block);
   void set_smoothness(const Block& block);
   void execute_motion(const Block& block);

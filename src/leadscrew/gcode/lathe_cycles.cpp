@@ -146,7 +146,7 @@ void LatheCycles::add_corner(const Block& block) {
 }
 
 void LatheCycles::add(const Block& block) {
-  tell_idle_in_contour(block, bit(Group::motion));
+  tell_idle_in_contour(block, bit(Group::motion) | (is_profile() ? bit(Group::feed_mode) : 0));
   if (block.has(Group::motion)) motion_code_ = block.code(Group::motion);
   const PlanePoint target = target_of(block);
   if (target.first == position_.first && target.second == position_.second) return;

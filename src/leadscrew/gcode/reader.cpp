@@ -154,9 +154,10 @@ class Reader::Implementation {
 
   // What a line says is read in the modes that come back before it.
   [[gnu::cold]] bool leave_calls(const TextLine& line) {
-    if (interpreter_.leaving_waits()) {
+    if (interpreter_.leaving_waits() && !std::exchange(is_settled_, true)) {
       interpreter_.settle();
     } else {
+      is_settled_ = false;
       interpreter_.leave_calls();
     }
     unread_ = line;
@@ -331,6 +332,7 @@ class Reader::Implementation {
   std::size_t contour_calls_ = 0;  // calls under way within the contour of a lathe cycle; 0 without one
   Delimiter delimiter_ = Delimiter::unknown;
   std::optional<TextLine> held_;    // read, and not yet executed
+  bool is_settled_ = false;         // what is kept back has been, before modes come back
   std::optional<TextLine> unread_;  // taken from the text, and not yet read
   bool empty_ = true;               // nothing but blanks so far
   bool pending_ = false;            // the interpreter has moves of a block read before

@@ -22,6 +22,11 @@ bool SavedModes::ends_compensation(const Block& block) const {
   return block.is(Code::M72) && !kept_.empty() && kept_.back().modal.cutter_side == Code::G40;
 }
 
+bool SavedModes::leaving_brings_back() const {
+  return std::any_of(kept_.begin(), kept_.end(),
+                     [&](const Kept& kept) { return kept.calls > modal_.fewest_calls && kept.comes_back; });
+}
+
 bool SavedModes::leaving_ends_compensation() const {
   return std::any_of(kept_.begin(), kept_.end(), [&](const Kept& kept) {
     return kept.calls > modal_.fewest_calls && kept.comes_back && kept.modal.cutter_side == Code::G40;
@@ -53,6 +58,7 @@ bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
                  "G69 before it");
   }
   if (!compensation_.bring_back(before, kept.tool_length, column)) return false;
+  if (kept.has_tip_control && fails_beside_contour(column, "tool centre point control that comes back")) return false;
   frame_.length_unit = kept.length_unit;
   modal_.plane = before.plane;
   modal_.distance = before.distance;

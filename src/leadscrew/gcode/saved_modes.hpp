@@ -23,6 +23,8 @@ class SavedModes : Part {
   bool leaves_calls() const { return !kept_.empty() && kept_.back().calls > modal_.fewest_calls; }
   /// They come back, before the next line is read; whether any did. Errors: `cutter-compensation`, `tilted-plane`.
   bool leave_calls();
+  /// Whether any do.
+  bool leaving_brings_back() const;
   // Whether cutter compensation ends with them, if it is on.
   bool ends_compensation(const Block& block) const;
   bool leaving_ends_compensation() const;

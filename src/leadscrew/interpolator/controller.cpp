@@ -38,12 +38,16 @@ void Controller::tell_threads() noexcept {
   thread_lines_.store(threads.lines, std::memory_order_relaxed);
   run_in_.store(threads.run_in, std::memory_order_relaxed);
   run_in_line_.store(threads.run_in_line, std::memory_order_relaxed);
+  out_of_step_.store(threads.out_of_step, std::memory_order_relaxed);
+  out_of_step_line_.store(threads.out_of_step_line, std::memory_order_relaxed);
 }
 
 ThreadFigures Controller::threads() const {
   return {.lines = thread_lines_.load(std::memory_order_relaxed),
           .run_in = run_in_.load(std::memory_order_relaxed),
-          .run_in_line = run_in_line_.load(std::memory_order_relaxed)};
+          .run_in_line = run_in_line_.load(std::memory_order_relaxed),
+          .out_of_step = out_of_step_.load(std::memory_order_relaxed),
+          .out_of_step_line = out_of_step_line_.load(std::memory_order_relaxed)};
 }
 
 const planner::PlacedEvent* Controller::next_event() noexcept {

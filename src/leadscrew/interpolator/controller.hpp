@@ -138,9 +138,9 @@ class Controller {  // NOLINT(clang-analyzer-optin.performance.Padding): kept ap
   std::atomic<std::int64_t> left_{0};                          ///< event_link_, then: chunks before it are done with
   std::atomic<std::int64_t> starvations_{0};
   std::atomic<bool> stands_{true}, in_step_{false};
-  std::atomic<std::int64_t> thread_lines_{0};
+  std::atomic<std::int64_t> thread_lines_{0}, out_of_step_{0};
   std::atomic<double> run_in_{0}, spindle_speed_{0};
-  std::atomic<base::Line> run_in_line_{base::Line{}};
+  std::atomic<base::Line> run_in_line_{base::Line{}}, out_of_step_line_{base::Line{}};
   static_assert(std::atomic<double>::is_always_lock_free && std::atomic<base::Line>::is_always_lock_free);
 };
 

@@ -194,7 +194,8 @@ void Follower::follow(double place, double end, Back back) {
   if (task_ != Task::none) return go_on_to(end);
   if (rests_ && s_ == end) return;
   rests_ = false;
-  if (std::abs(s_ - place) > tolerance_) run_in_ = std::max(run_in_, s_);
+  in_step_ = std::abs(s_ - place) <= tolerance_;
+  if (!in_step_) run_in_ = std::max(run_in_, s_);
   estimate(place);
   const double wanted = (wanted_acceleration() - a_) / period_;
   const double jerk = within_velocity(std::clamp(wanted, -limits_.jerk, limits_.jerk));

@@ -48,6 +48,8 @@ class Follower {
   bool rests() const { return rests_; }
   /// Length of the run-in so far: where s left the tolerance about the spindle's place last, before the end was made for.
   double run_in() const { return run_in_; }
+  /// Was s within the tolerance about the spindle's place when the end was made for, or is it?
+  bool in_step() const { return in_step_; }
 
  private:
   struct Phase {
@@ -83,6 +85,7 @@ class Follower {
   Task task_ = Task::none;
   Manoeuvre manoeuvre_;
   double run_in_ = 0;
+  bool in_step_ = false;
   bool rests_ = true;
   bool is_stopped_ = false;  ///< for good
 };

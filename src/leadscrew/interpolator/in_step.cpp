@@ -136,8 +136,10 @@ void Interpolator::end_thread(const toolpath::Piece& piece) {
   } else {
     const planner::Chunk::InStep& step = *chunk_->in_step;
     stood_at_ = way() * (begin_of(*thread_) + s / step.lead);
-    ++threads_.lines;
-    if (thread_->follower.run_in() > threads_.run_in) {
+    const bool was_in_step = thread_->follower.in_step();
+    if (!was_in_step && threads_.out_of_step++ == 0) threads_.out_of_step_line = piece.line;
+    threads_.lines += was_in_step;
+    if (was_in_step && thread_->follower.run_in() > threads_.run_in) {
       threads_.run_in = thread_->follower.run_in();
       threads_.run_in_line = piece.line;
     }

@@ -149,6 +149,8 @@ void add_tip(Json& json, const referee::Verdict& verdict) {
 void add_threads(Json& json, const interpolator::ThreadFigures& threads) {
   Json figures = Json::object({{"lines", threads.lines}, {"run_in_mm", threads.run_in}});
   if (threads.run_in > 0) figures["line"] = base::number(threads.run_in_line);
+  figures["out_of_step"] = threads.out_of_step;
+  if (threads.out_of_step > 0) figures["out_of_step_line"] = base::number(threads.out_of_step_line);
   json["threads"] = figures;
 }
 

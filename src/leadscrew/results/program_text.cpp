@@ -33,7 +33,8 @@ std::string feed_text(double programmed_mm_s, double max_ratio) {
 
 /// Of words that were made, of lines in step with the spindle too: the referee asks no feed of these.
 std::string feed_text(const pipeline::Summary& summary, double max_ratio) {
-  if (summary.threads.lines == 0 || max_ratio > 0) return feed_text(summary.feed_programmed_max, max_ratio);
+  if (summary.threads.lines + summary.threads.out_of_step == 0 || max_ratio > 0)
+    return feed_text(summary.feed_programmed_max, max_ratio);
   return fmt::format("in step with the spindle alone, by S up to {:g} mm/min", summary.feed_programmed_max * 60);
 }
 
@@ -42,6 +43,9 @@ std::string threads_text(const interpolator::ThreadFigures& threads) {
   if (threads.run_in > 0)
     text += fmt::format(", at the latest {:.3f} mm behind the beginning: {}", threads.run_in,
                         line_text(threads.run_in_line));
+  if (threads.out_of_step > 0)
+    text += fmt::format("; {} too short to get in step: {}", counted(threads.out_of_step, "line"),
+                        line_text(threads.out_of_step_line));
   return text;
 }
 
@@ -188,7 +192,7 @@ std::string run_summary(const std::string& program, const machine::Machine& mach
                                     counted(summary.moves, "move")));
   text += row("words", fmt::format("{}", summary.words));
   text += row("feed", feed_text(summary, verdict.feed_max_ratio));
-  if (summary.threads.lines > 0) text += row("threads", threads_text(summary.threads));
+  if (summary.threads.lines + summary.threads.out_of_step > 0) text += row("threads", threads_text(summary.threads));
   text += row("deviation", deviation_text(verdict.deviation_mm, summary.tolerance_mm));
   text += tip_row(verdict);
   text += axis_table(verdict, &summary.plan, style) + path_limits_text(summary.plan, style);
