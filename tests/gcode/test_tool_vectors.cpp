@@ -323,7 +323,7 @@ TEST(ToolVectors, EndASeriesOfHolesWhereTheTipIsTold) {
   for (const std::string block : {"M428", "G43.4 H1"})
     EXPECT_EQ(read("G43 H1\nG0 Z40\n" + hole + block + "\nX20\nG80\nM2\n", trunnion()).problems(),
               "5:1 missing-word; ");
-  EXPECT_EQ(read("G43.4 H1\nM70\nG43 H1\nG0 Z40\n" + hole + "M72\nX20\nG80\nM2\n", trunnion()).problems(),
+  EXPECT_EQ(read("F500 G43.4 H1\nM70\nG43 H1\nG0 Z40\n" + hole + "M72\nX20\nG80\nM2\n", trunnion()).problems(),
             "7:1 missing-word; ");
   EXPECT_EQ(read("G43.4 H1\nG0 Z40\n" + hole + "G43 H1\nX20\nG80\nM2\n", trunnion()).problems(), "5:1 missing-word; ");
 }

@@ -201,7 +201,7 @@ def prepare():
     worn = (machines / "mill6.toml").read_text(encoding="utf-8")
     worn = worn.replace("[axis.A]\n", "[axis.A]\nbacklash_deg = 0.01\n").replace("[axis.X]\n", "[axis.X]\nbacklash_mm = 0.01\n")
     (scratch / "worn6.toml").write_text(worn)
-    (scratch / "thread.ngc").write_text("G21 G90\nS300 M3\nG33 Z-10 K1\nM2\n")
+    (scratch / "thread.ngc").write_text("G21 G90\nS300 M3\nG33 Z-10 K1\nG33 Z-10.01 K1\nM2\n")
     mill = (machines / "mill3.toml").read_text(encoding="utf-8")
     (scratch / "spindle.toml").write_text(f"{mill}\n[spindle]\nnoise = 0.05\n", encoding="utf-8")
 

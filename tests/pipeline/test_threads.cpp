@@ -155,6 +155,31 @@ RC_GTEST_PROP(Threads, FollowASpindleThatWandersBehindTheRunInThatIsTold, ()) {
   if (summary.threads.run_in > longest + 1e-9) RC_ASSERT(summary.threads.run_in <= furthest);
 }
 
+// What is never within the tolerance of the spindle's place is none of the lines in step, and its way is no run-in.
+TEST(Threads, ThatEndBeforeTheyAreInStepAreTold) {
+  machine::Machine machine = machine::mill3();
+  machine.spindle = machine::Spindle{.acceleration = 500, .wander = 0};
+  int late = 0;
+  for (const double length : {1.0, 4.0, 8.0, 12.0, 30.0}) {
+    Watcher watcher(machine);
+    const std::string text = "G21 G90 F600\nS1000 M3\nG33 Z" + std::to_string(length) + " K2\nM2\n";
+    const pipeline::Summary summary = testing_support::judged_run(
+        text, machine, [&](const base::PassedEvent& event) { watcher.pass(event); },
+        [&](const base::Word& word) { watcher.see(word); });
+    ASSERT_EQ(watcher.lines.size(), 1u);
+    const Line& line = watcher.lines.front();
+    bool is_late = true;
+    for (std::size_t k = 0; k < line.s.size(); ++k) {
+      const bool is_on_the_way = line.s[k] > 0.1 * length && line.s[k] < 0.9 * length;
+      is_late &= !(is_on_the_way && line.errors[k] <= machine.tolerance);
+    }
+    EXPECT_EQ(summary.threads.out_of_step, is_late) << length;
+    EXPECT_EQ(summary.threads.lines, !is_late) << length;
+    late += is_late;
+  }
+  EXPECT_EQ(late, 3);
+}
+
 /// Under tool centre point control a line of the tip is one of the axes only while no rotary axis turns.
 TEST(Threads, ThatTurnTheToolAreRefused) {
   machine::Machine machine = testing_support::trunnion();
@@ -192,7 +217,8 @@ TEST(Threads, OfAPassGoOnInPhaseAndPassesAreCongruent) {
   }
   ASSERT_GE(phases.size(), 4u);
   for (const double phase : phases) EXPECT_NEAR(phase, phases.front(), 0.02 / 2);
-  EXPECT_EQ(program.summary().threads.lines, 4 * static_cast<std::int64_t>(phases.size()));
+  EXPECT_EQ(program.summary().threads.lines + program.summary().threads.out_of_step,
+            4 * static_cast<std::int64_t>(phases.size()));
 }
 
 /// A turret of a Fanuc lathe does not stop it.

@@ -236,6 +236,10 @@ const KeptPlace* Interpreter::place_of(base::Line line) const {
 
 bool Interpreter::next(Move& move) {
   if (compensation_.is_active()) return next_compensated(move);
+  return next_uncompensated(move);
+}
+
+bool Interpreter::next_uncompensated(Move& move) {
   return vectors_.any() ? next_with_vectors(move) : next_of_block(move);
 }
 
@@ -248,7 +252,7 @@ bool Interpreter::next_with_vectors(Move& move) {
 // A move of the tool's middle is known where the motion behind it is.
 bool Interpreter::next_compensated(Move& move) {
   while (!compensation_.take(move)) {
-    if (!next_of_block(move)) return false;
+    if (!next_uncompensated(move)) return false;
     compensation_.add(move);
   }
   return true;

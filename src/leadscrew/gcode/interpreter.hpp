@@ -123,6 +123,7 @@ class Interpreter : Part {
   [[gnu::noinline]] Plain execute_plain_arc(const Block& block, Code motion, base::Line line, Move& move);
   bool next_of_block(Move& move);
   [[gnu::noinline]] bool next_with_vectors(Move& move);
+  bool next_uncompensated(Move& move);
   [[gnu::noinline]] bool next_compensated(Move& move);
 
   Outbox outbox_;
