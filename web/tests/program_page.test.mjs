@@ -269,12 +269,15 @@ const large = (() => {
   return `${lines.join("\n")}\nM2\n`;
 })();
 
-/** Of the page's main thread, ms: by the processor's time, and by the clock, which others who have the processors stretch. */
+/** Of the page's main thread, ms: by the processor's time, and by the clock, which others who have the processors stretch. What
+ * the browser sweeps of its memory meanwhile is no task of the page. */
 function longestTasks({ traceEvents }) {
   const threads = traceEvents.filter(({ name, args }) => name === "thread_name" && args.name === "CrRendererMain");
   const tasks = traceEvents.filter(
-    ({ name, pid, tid }) =>
-      name === "ThreadControllerImpl::RunTask" && threads.some((each) => each.pid === pid && each.tid === tid),
+    ({ name, pid, tid, args }) =>
+      name === "ThreadControllerImpl::RunTask" &&
+      !args.src_file?.includes("/heap/") &&
+      threads.some((each) => each.pid === pid && each.tid === tid),
   );
   const most = (field) => Math.round(Math.max(...tasks.map((task) => task[field] ?? 0)) / 1000);
   return { worked: most("tdur"), lasted: most("dur") };
