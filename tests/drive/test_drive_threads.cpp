@@ -93,5 +93,35 @@ TEST(DriveThreads, ComeToRestWhereTheyAreStoppedAndGoOn) {
   EXPECT_EQ(two.back().q, (std::vector<double>{8, 0, 2}));
 }
 
+/// Feed per revolution rests where it begins and ends, and so the path that is gone on along does.
+TEST(DriveThreads, GoOnBehindFeedPerRevolution) {
+  const Folder folder;
+  folder.write("part.ngc", "G18 G21 G90\nS600 M3\nG64 P0.05\nG0 X10\nG95 F0.3\nG1 Z-4\nX20\nM2\n");
+  folder.write("lathe.toml", machine_with_spindle());
+  Running first(folder, {"drive", "part.ngc", "--machine", "lathe.toml", "--state", "state", "--quiet"});
+  ASSERT_TRUE(comes_to(folder, 12));
+  first.send(SIGTERM);
+  EXPECT_EQ(first.wait().status, 130);
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--machine", "lathe.toml", "--resume", "state"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+}
+
+/// A tap that was left is not followed any more: the tool does not stand at its bottom while the spindle turns.
+TEST(DriveThreads, TellThatATapIsNotGoneOnWith) {
+  const Folder folder;
+  folder.write("part.ngc", "G17 G21 G90\nS600 M3\nG0 X5 Y5 Z5\nG84 X10 Y5 Z-20 R2 F600\nX20\nG80\nM2\n");
+  folder.write("mill.toml", machine_with_spindle());
+  Running first(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--state", "state", "--quiet"});
+  ASSERT_TRUE(comes_to(folder, 30));
+  first.send(SIGTERM);
+  EXPECT_EQ(first.wait().status, 130);
+  const auto second = leadscrew(folder, {"drive", "part.ngc", "--machine", "mill.toml", "--resume", "state", "--trace",
+                                         "words.csv", "--lead", "1s", "--json"});
+  EXPECT_EQ(second.status, 0) << second.errors;
+  EXPECT_TRUE(contains(second.errors, "[resume-out-of-step]")) << second.errors;
+  EXPECT_EQ(second.json()["threads"]["lines"], 2);  // of the second hole
+  EXPECT_EQ(second.json()["threads"]["out_of_step"], 0);
+}
+
 }  // namespace test_drive_threads
 }  // namespace leadscrew::cli::testing

@@ -68,6 +68,27 @@ TEST(CannedCycles, TapWithoutOverrides) {
   EXPECT_EQ(events_of("S1000 M3 F100 M49\n" + tap), "S M3 M49 M49 G33 M5 M4 G33 M5 M3 M2 ");
 }
 
+TEST(CannedCycles, TapInPecksAndLeaveFaster) {
+  EXPECT_EQ(story("S1000 M3\nG0 Z10\nF100\nG98 G84 X10 Z-5 R2 Q3 J2\nX20 Z-1\nM30\n", Dialect::haas),
+            "r10,0,10 r10,0,2 f10,0,-1 stop ccw f10,0,2 stop cw f10,0,-4 stop ccw f10,0,2 stop cw f10,0,-5 stop ccw "
+            "f10,0,2 stop cw r10,0,10 r20,0,10 r20,0,2 f20,0,-1 stop ccw f20,0,2 stop cw r20,0,10");
+  std::vector<double> feeds, speeds;
+  for (const Move& move : read_well("S600 M3\nG84 X10 Z-5 R2 F600 Q4 J3\nM30\n", in_dialect(Dialect::haas)).moves) {
+    if (move.kind == Move::Kind::line && move.feed.mode != Feed::Mode::rapid) feeds.push_back(move.feed.value);
+    if (move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_counterclockwise)
+      speeds.push_back(move.event.value);
+  }
+  EXPECT_EQ(feeds, (std::vector<double>{10, 30, 10, 30}));
+  EXPECT_EQ(speeds, (std::vector<double>{1800, 1800}));
+  const auto problems = [](const std::string& words, Dialect dialect) {
+    return read("S600 M3\nG84 X10 Z-5 R2 F600 " + words + "\nM30\n", in_dialect(dialect)).problems();
+  };
+  EXPECT_EQ(problems("J0.5", Dialect::haas), "2:21 bad-value; ");
+  EXPECT_EQ(problems("J10", Dialect::haas), "2:21 bad-value; ");
+  EXPECT_EQ(problems("Q0", Dialect::haas), "2:21 bad-value; ");
+  EXPECT_EQ(problems("Q2", Dialect::linuxcnc), "2:21 unused-word; ");
+}
+
 // Nothing waits for it, and it has the travel in a revolution that F and S give.
 TEST(CannedCycles, TapInStepWithTheSpindle) {
   std::vector<base::Event> events;

@@ -304,6 +304,17 @@ TEST(CyclesOfLathes, GoOnBehindTheirBlock) {
             "r30,2");
 }
 
+// What stands between a cycle and its contour is passed over, which is told; but a contour behind the program's end is none
+// to go on behind.
+TEST(CyclesOfLathes, TellWhatTheyPassOver) {
+  const std::string cycle = head + "G0 X60. Z2.\nG71 U2. R1.\nG71 P10 Q40 U0.4 W0.1 F0.2\n";
+  EXPECT_EQ(problems(cycle + "(the contour)\n\n" + step + "G70 P10 Q40\nM30\n"), "");
+  EXPECT_EQ(problems(cycle + "G0 X70.\n" + step + "M30\n"), "4:1 passed-over; ");
+  const std::string last = "G70 P10 Q40\nM30\n";
+  EXPECT_EQ(problems(cycle + last + step), "");
+  EXPECT_EQ(story(cycle + last + step), story(cycle + step + last));
+}
+
 // The moves of a roughing cycle stay off the contour.
 RC_GTEST_PROP(StockRemoval, NeverCutsIntoTheContour, ()) {
   std::vector<Point> contour = {{10, 0, 2}};

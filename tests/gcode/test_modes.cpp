@@ -220,5 +220,34 @@ TEST(KeptModes, AreEachCallsOwn) {
   EXPECT_EQ(read("M70\nM71\nM72\nM2\n").problems(), "3:1 missing-modes; ");
 }
 
+// LinuxCNC 2.9 brings back whether a shift is in force, not how far it shifts.
+TEST(KeptModes, BringBackWhetherAShiftIsInForce) {
+  EXPECT_EQ(end_of("M70\nG92 X1\nM72\nG0 X10\nM2\n"), (Point{10, 0, 0}));
+  EXPECT_EQ(end_of("M70\nG52 X5\nM72\nG0 X10\nM2\n"), (Point{10, 0, 0}));
+  EXPECT_EQ(end_of("G92 X1\nM70\nG92.2\nM72\nG0 X10\nM2\n"), (Point{9, 0, 0}));
+  EXPECT_EQ(end_of("G92 X1\nM70\nG92 X5\nM72\nG0 X10\nM2\n"), (Point{5, 0, 0}));
+  EXPECT_EQ(end_of("o<a> sub\nM73\nG52 Y1\no<a> endsub\no<a> call\nG0 Y2\nM2\n"), (Point{0, 2, 0}));
+}
+
+// What M70 keeps in a call that M73 has kept modes of comes back where the call ends, as LinuxCNC has it.
+TEST(KeptModes, OfM70BehindM73ComeBackByThemselves) {
+  EXPECT_EQ(end_of("o<a> sub\nM73\nG91\nM70\nG90\no<a> endsub\no<a> call\nG0 X1\nX1\nM2\n"), (Point{2, 0, 0}));
+  EXPECT_EQ(end_of("o<a> sub\nM73\nG91\nM71\no<a> endsub\no<a> call\nG0 X1\nX1\nM2\n"), (Point{2, 0, 0}));
+}
+
+// However many events a block, or calls that end at one, bring back.
+TEST(KeptModes, AreBroughtBackByAnyNumberOfEvents) {
+  const std::string some = "S1 M3 M8\nM7\nM49\nM52 P1\nM53 P0\n", others = "S2 M4 M9\nM48\nM52 P0\nM53 P1\n";
+  std::string text;
+  constexpr int depth = 6;
+  for (int k = 0; k < depth; ++k) {
+    const std::string name = "o" + std::to_string(k), inner = k > 0 ? "o" + std::to_string(k - 1) + " call\n" : "";
+    text += name + " sub\nM73\n" + (k % 2 == 0 ? some : others) + inner + name + " endsub\n";
+  }
+  const std::vector<base::Event> events = read_well(text + some + "o5 call\nG0 X1\nM2\n").events();
+  EXPECT_GT(events.size(), 8U * 2 * (depth - 1));
+  EXPECT_EQ(read("S100 M3\nM70\nM52 P1\nM53 P0\nM72 S200 T1 M6 M4 M9 M49 M101 G33.1 Z-5 K1\nM2\n").problems(), "");
+}
+
 }  // namespace test_modes
 }  // namespace leadscrew::gcode

@@ -198,6 +198,16 @@ TEST(TiltedPlane, DrillsAlongItsNormal) {
   for (const Move& line : lines) EXPECT_EQ(line.end[4], lines[0].end[4]);
 }
 
+// The level at which a series of holes began is one of its plane.
+TEST(TiltedPlane, EndsASeriesOfHolesWhereItChanges) {
+  const std::string holes = "G53.1\nG0 X0 Y0 Z20\nG98 G81 X3 Y4 Z-6 R2 F300\n", more = "X5\nG80\nM2\n";
+  const auto problems = [&](const std::string& between) {
+    return read(std::string(leaning) + holes + between + more, on("head-head-bc")).problems();
+  };
+  EXPECT_EQ(problems(""), "");
+  EXPECT_NE(problems("G68.4 X0 Y0 Z-20 I0 J0 K0\n").find("missing-word"), std::string::npos);
+}
+
 TEST(TiltedPlane, DrillsStraightDownWhereTheTableIsTurned) {
   const std::string text = std::string(leaning) + "G53.1\nG0 X0 Y0 Z20\nG99 G81 X3 Y4 Z-6 R2 F300\nG80\nM2\n";
   const auto lines = read_well(text, on("table-table-ac")).lines();

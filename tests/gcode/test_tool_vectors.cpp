@@ -328,5 +328,24 @@ TEST(ToolVectors, EndASeriesOfHolesWhereTheTipIsTold) {
   EXPECT_EQ(read("G43.4 H1\nG0 Z40\n" + hole + "G43 H1\nX20\nG80\nM2\n", trunnion()).problems(), "5:1 missing-word; ");
 }
 
+TEST(ToolVectors, StopExactlyWhereOneBlockAsksForIt) {
+  const auto lines = read_vectors("G64 P1\nG0 I0 J0 K1\nG9 G1 X10 I0 J0.1 K1\nG1 X20 Y10\nX30 Y0\n").moves;
+  int stops = 0, blends = 0;
+  for (const Move& move : lines) {
+    if (move.kind == Move::Kind::event || base::number(move.line) < 4) continue;
+    const bool is_last_before = base::number(move.line) == 4;
+    (is_last_before ? stops : blends) += 1;
+    EXPECT_EQ(move.path_mode, is_last_before ? PathMode::exact_stop : PathMode::blend);
+    EXPECT_EQ(move.tolerance, is_last_before ? 0 : 1);
+  }
+  EXPECT_EQ(stops, 1);
+  EXPECT_GT(blends, 0);
+}
+
+TEST(KeptModes, BringBackHowFarTheToolMayTurnAside) {
+  const std::string text = "G64 P1 E0.5\nM70\nG64 P1 E10\nM72\nG43.4 H1\nF600 G1 X10 A5\nM2\n";
+  EXPECT_EQ(read(text, trunnion()).lines().back().orientation_tolerance, 0.5);
+}
+
 }  // namespace test_tool_vectors
 }  // namespace leadscrew::gcode

@@ -160,6 +160,7 @@ class Further:
         self.block("M70")
         for _ in range(self.random.randint(1, 3)):
             self.mode()
+        self.shift()
         self.keeping = False
         self.line()
         if self.chance(0.2):
@@ -168,6 +169,14 @@ class Further:
         self.block("M72")
         self.bring_back(before)
         return self.after_kept()
+
+    def shift(self):
+        """Whether it is in force comes back, and not how far it shifts."""
+        if self.systems_turned or self.chance(0.6):
+            return
+        words = [self.word(axis, self.value(-9, 9)) for axis in "XYZ" if self.chance(0.5)] or ["X1"]
+        self.block(self.random.choice(["G92", "G52"]), *words) if self.chance(0.5) else self.block(self.random.choice(["G92.1", "G92.2", "G92.3"]))
+        self.shift_kept = True
 
     def begin_keeping(self):
         """rs274 stops no coolant that came on beside another, disables nothing, and loses M53 where G64 changes as well."""
@@ -193,6 +202,10 @@ class Further:
         self.lines += [f"{label} sub", "M73"]
         for _ in range(self.random.randint(1, 3)):
             self.mode()
+            if self.chance(0.2):
+                self.block("M70")
+                before = self.modes()
+        self.shift()
         self.keeping = False
         self.line()
         self.lines.append(f"{label} endsub")

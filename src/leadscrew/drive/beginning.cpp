@@ -27,6 +27,18 @@ base::Diagnostic cut_twice(const std::string& path) {
           {}};
 }
 
+base::Diagnostic out_of_step(const std::string& path) {
+  return {
+      base::Severity::warning,
+      "resume-out-of-step",
+      "was written within a thread or a tap: what is left of its line, or of the tap, goes at the speed of S and not "
+      "in "
+      "step with the spindle",
+      "take the tool out of the thread before, or out of the tap with the spindle, and cut it again from its beginning",
+      base::Place{.file = path},
+      {}};
+}
+
 /// Drives go back to the last word; behind a file there are none.
 base::Diagnostic stands_elsewhere(const std::string& path) {
   return {base::Severity::error,
@@ -59,10 +71,11 @@ base::Result<Beginning> Beginning::of(const files::InputFile& program, const Set
       return base::failure(same.error());
     auto return_path = find_return_path(*kept, program, setup, *options.resume);
     if (!return_path) return base::failure(return_path.error());
-    begin.return_path = std::move(*return_path);
+    begin.return_path = std::move(return_path->places);
+    if (return_path->leads_in_step) begin.warnings.push_back(out_of_step(*options.resume));
     if (options.sink && !begin.return_path.empty()) return base::failure(stands_elsewhere(*options.resume));
     state = *kept;
-    if (state.kind == State::Kind::moving) begin.warning = cut_twice(*options.resume);
+    if (state.kind == State::Kind::moving) begin.warnings.push_back(cut_twice(*options.resume));
   }
   kinematics::WordPoses poses(setup.machine);
   if (state.tool) poses.hold(state.tool->offset);

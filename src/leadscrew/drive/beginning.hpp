@@ -13,7 +13,7 @@ struct Beginning {
   State state;                               ///< its word is where the first word will be, its axes where they stand
   std::vector<base::PathPlace> return_path;  ///< from the axes to that word, a place a period
   std::vector<StateLock> held;               ///< of the states that are kept and gone on from
-  std::optional<base::Diagnostic> warning;   ///< `resume-cut-twice`
+  std::vector<base::Diagnostic> warnings;    ///< `resume-cut-twice`, `resume-out-of-step`
 
   /// Holds the states, reads the one to resume, and writes the one to keep. Errors: those of StateLock::hold(),
   /// fingerprint_of(), read_state(), check_resumable(), find_return_path() and write_state().

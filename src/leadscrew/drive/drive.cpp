@@ -187,7 +187,9 @@ class Drive {
 base::Result<Figures> drive(const files::InputFile& program, const Setup& setup, const Onlooker& onlooker) {
   auto begin = Beginning::of(program, setup);
   if (!begin) return base::failure(begin.error());
-  if (begin->warning && onlooker.tell) onlooker.tell(*begin->warning);
+  for (const base::Diagnostic& warning : begin->warnings) {
+    if (onlooker.tell) onlooker.tell(warning);
+  }
   files::let_first_interruption_pass();
   // Before there are threads.
   auto process = Process::start(setup, *begin);

@@ -44,8 +44,8 @@ base::Result<void> check_resumable(const State& state, const Fingerprint& now, c
   return {};
 }
 
-base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, const files::InputFile& program,
-                                                            const Setup& setup, const std::string& path) {
+base::Result<ReturnPath> find_return_path(const State& state, const files::InputFile& program, const Setup& setup,
+                                          const std::string& path) {
   constexpr double same = 1e-6;  // mm or degrees
   const auto refused = [&](double length, std::string_view but) {
     return state_refusal("resume-state",
@@ -56,6 +56,7 @@ base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, 
     return std::equal(a.begin(), a.end(), b.begin(), [](double p, double q) { return std::abs(p - q) <= same; });
   };
   pipeline::MotionSource source(program.source(), setup.machine, setup.tools, setup.reader_options(program), nullptr);
+  source.follow_spindle();  // the path is the one that was driven
   pipeline::PathStretch stretch(state.word.path_length, state.axes.path_length);
   source.on_element = [&](const toolpath::Element& element) { stretch.push(element); };
   source.planner().start_at(state.word.path_length, state.word.line);
@@ -65,7 +66,7 @@ base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, 
   if (!at) return refused(state.word.path_length, "it is shorter");
   if (!are_same(*at, state.word.position)) return refused(state.word.path_length, "it is elsewhere there");
   if (state.axes.path_length == state.word.path_length) {
-    if (are_same(*at, state.axes.position)) return std::vector<base::PathPlace>();
+    if (are_same(*at, state.axes.position)) return ReturnPath{{}, source.planner().starts_in_step()};
     return refused(state.axes.path_length, "it is elsewhere there");
   }
   while (goes_on && !stretch.is_whole()) goes_on = source.next().has_value();
@@ -76,7 +77,7 @@ base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, 
   auto return_path = pipeline::plan_return(stretch, setup.machine);
   if (!return_path) return refused(state.axes.path_length, "no motion back to it keeps the limits");
   return_path->back().position = state.word.position;
-  return std::move(*return_path);
+  return ReturnPath{std::move(*return_path), source.planner().starts_in_step()};
 }
 
 }  // namespace leadscrew::drive

@@ -11,9 +11,14 @@ namespace leadscrew::drive {
 base::Result<void> check_resumable(const State& state, const Fingerprint& now, const machine::Machine& machine,
                                    const std::string& path);
 
-/// From where the axes stand to where the last word was, a place a period; empty if they stand there. The path is read
-/// anew so far. Errors: `resume-state` where it does not pass there; those of reading it, interruption.
-base::Result<std::vector<base::PathPlace>> find_return_path(const State& state, const files::InputFile& program,
-                                                            const Setup& setup, const std::string& path);
+/// The way back to the path.
+struct ReturnPath {
+  std::vector<base::PathPlace> places;  ///< from where the axes stand to where the last word was, a place a period
+  bool leads_in_step = false;           ///< planner::Planner::starts_in_step()
+};
+
+/// Without places if the axes stand there. The path is read anew so far. Errors: `resume-state` where it does not pass there; those of reading it, interruption.
+base::Result<ReturnPath> find_return_path(const State& state, const files::InputFile& program, const Setup& setup,
+                                          const std::string& path);
 
 }  // namespace leadscrew::drive

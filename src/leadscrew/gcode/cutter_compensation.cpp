@@ -149,7 +149,7 @@ void CutterCompensation::end() {
 }
 
 // LinuxCNC executes what differs as a block, G40 in it behind the plane, and G41 with the tool's radius.
-bool CutterCompensation::bring_back(const ModalState& before, const base::AxisVector& tool_length,
+bool CutterCompensation::bring_back(const ModalState& before, const base::AxisVector& tool_length, bool shifts_alike,
                                     std::uint32_t column) {
   const bool was_on = before.cutter_side != Code::G40, has_plane = before.plane == modal_.plane;
   if (was_on && !is_on()) {
@@ -158,7 +158,7 @@ bool CutterCompensation::bring_back(const ModalState& before, const base::AxisVe
                  "keep them before it, or G40 behind them");
   }
   const bool is_alike = before.cutter_side == modal_.cutter_side && has_plane && before.system == modal_.system &&
-                        tool_length == frame_.tool();
+                        shifts_alike && tool_length == frame_.tool();
   const bool has_place = has_plane || !is_on() || options_.dialect != Dialect::linuxcnc;
   if (was_on ? !is_alike : !has_place) {
     return error("cutter-compensation", column,

@@ -40,7 +40,8 @@ class CutterCompensation : Part {
   /// G40: before what else its block changes.
   void end();
   /// Modes come back that were kept (M72), before any other changes. Error: `cutter-compensation`, where it would be switched on.
-  bool bring_back(const ModalState& before, const base::AxisVector& tool_length, std::uint32_t column);
+  bool bring_back(const ModalState& before, const base::AxisVector& tool_length, bool shifts_alike,
+                  std::uint32_t column);
 
   /// Whether moves go through it: while it is on, and until the line behind G40.
   bool is_active() const { return is_on() || is_aside_ || tool_ || !kept_.empty(); }

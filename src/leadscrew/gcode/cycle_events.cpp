@@ -14,12 +14,35 @@ std::optional<double> CannedCycles::tap_lead() const {
 bool CannedCycles::can_tap(const Block& block, const DrillCycle::Plan& plan) {
   const std::optional<double> lead = tap_lead();
   if (!plan.follows || !lead || !(plan.r_level > plan.bottom)) return true;
-  base::AxisVector top = cycle_.hole(0), bottom = top;
+  base::AxisVector top = cycle_.hole(0), bottom = top, shallowest = top;
   top[base::index(plan.drill)] = plan.r_level;
   bottom[base::index(plan.drill)] = plan.bottom;
-  const base::AxisVector from = placed(top), to = placed(bottom);
-  const SpindlePace::Line line{from, to, *lead, modal_.spindle_speed};
-  return pace_.is_reached(block, line) && pace_.can_brake(block, line);
+  shallowest[base::index(plan.drill)] = plan.peck > 0 ? std::max(plan.r_level - plan.peck, plan.bottom) : plan.bottom;
+  const base::AxisVector from = placed(top), to = placed(bottom), first = placed(shallowest);
+  const bool is_by_feed = modal_.feed_mode != FeedMode::per_revolution;
+  const double speed = modal_.spindle_speed;
+  return pace_.is_reached(block, {from, to, *lead, speed * plan.out_factor, is_by_feed}) &&
+         pace_.can_brake(block, {from, first, *lead, speed, is_by_feed});
+}
+
+// Haas: pecks of Q, each followed by the way out to R, and J times as fast out as in.
+void CannedCycles::plan_tap(const Block& block, DrillCycle::Plan& plan) {
+  constexpr double most_times = 9;
+  if (block.has('Q')) series_->peck = block['Q'];
+  if (block.has('J')) series_->out_factor = block['J'];
+  plan.peck = series_->peck.value_or(0) * frame_.length_unit;
+  plan.out_factor = series_->out_factor.value_or(1);
+  if (series_->peck && !(plan.peck > 0 && (plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
+    error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
+          "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");
+    series_->peck.reset();
+    plan.peck = 0;
+  }
+  if (plan.out_factor >= 1 && plan.out_factor <= most_times) return;
+  error("bad-value", block.has('J') ? block.column_of('J') : motion_column(block),
+        "the tap is to leave " + text(plan.out_factor) + " times as fast as it enters", "J from 1 to 9");
+  series_->out_factor.reset();
+  plan.out_factor = 1;
 }
 
 // Of a step that is neither a move nor a dwell. False where it asks for nothing.
@@ -51,7 +74,7 @@ bool CannedCycles::prepare_event(Move& move, DrillCycle::Step::Kind kind) const 
       if (modal_.spindle != Code::M5) return false;
       [[fallthrough]];
     default:
-      outbox_.prepare_event(move, spindle_event(kind), kind == Kind::spindle_stop ? 0 : modal_.spindle_speed);
+      outbox_.prepare_event(move, spindle_event(kind), spindle_speed(kind));
       move.event.waits |= cycle_.plan().follows;
       return true;
   }
@@ -65,6 +88,13 @@ bool CannedCycles::prepare_step_event(Move& move, bool in_step) const {
   outbox_.prepare_event(move, base::Event::Kind::spindle_in_step, in_step ? *lead : 0, base::in_tapping_cycle);
   move.event.waits = cycle_.plan().follows;
   return true;
+}
+
+// Of the spindle's event, revolutions per minute.
+double CannedCycles::spindle_speed(DrillCycle::Step::Kind kind) const {
+  using Kind = DrillCycle::Step::Kind;
+  if (kind == Kind::spindle_stop) return 0;
+  return modal_.spindle_speed * (kind == Kind::spindle_reverse ? cycle_.plan().out_factor : 1);
 }
 
 base::Event::Kind CannedCycles::spindle_event(DrillCycle::Step::Kind kind) const {

@@ -4,12 +4,6 @@
 
 namespace leadscrew::gcode {
 
-namespace {
-
-constexpr double most_steps = 100'000;  // holes of one block, and pecks of one hole
-
-}  // namespace
-
 // Levels along the axis of the hole; R and the bottom hold for the cycles that follow, as numbers, which are read in
 // the units of the block that uses them. In G91 the bottom is seen from R,
 // and R from the level at which the series began (LinuxCNC manual, G Codes, "Canned Cycles"): holes of a row are equally
@@ -198,6 +192,7 @@ bool CannedCycles::can_turn(const Block& block) {
 void CannedCycles::plan_series(const Block& block, DrillCycle::Plan& plan) {
   plan_dwell(block, plan);
   if (plan.code == Code::G73 || plan.code == Code::G83) plan_pecks(block, plan);
+  if (plan.code == Code::G74 || plan.code == Code::G84) plan_tap(block, plan);
   if (plan.code == Code::G76_bore || plan.code == Code::G87) plan_aside(block, plan);
 }
 
@@ -338,6 +333,7 @@ bool CannedCycles::next_of_cycle(Move& move) {
     at_ = step.target;
     move.end = placed(step.target);
     if (step.kind == Kind::feed) move.feed = cycle_feed_;
+    if (step.is_fast) move.feed.value *= cycle_.plan().out_factor;
     frame_.position = move.end;
     return true;
   }

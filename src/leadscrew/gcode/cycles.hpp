@@ -35,6 +35,7 @@ class CannedCycles : Part {
   void plan_dwell(const Block& block, DrillCycle::Plan& plan);
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
   void plan_aside(const Block& block, DrillCycle::Plan& plan);
+  void plan_tap(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
   void plan_pattern(const Block& block, DrillCycle::Plan& plan);
   void plan_series(const Block& block, DrillCycle::Plan& plan);
@@ -47,13 +48,16 @@ class CannedCycles : Part {
   std::optional<double> tap_lead() const;
   bool can_tap(const Block& block, const DrillCycle::Plan& plan);
   base::Event::Kind spindle_event(DrillCycle::Step::Kind kind) const;
+  double spindle_speed(DrillCycle::Step::Kind kind) const;
+  static constexpr double most_steps = 100'000;  // holes of one block, and pecks of one hole
 
   // What holds for the canned cycles since the last other motion: numbers as they were written, which are read in the
   // units of the block that uses them; the dwell in seconds.
   struct Series {
     Code code = Code::none;
     double initial_level = 0;  // mm, machine coordinates
-    std::optional<double> r, bottom, dwell, peck, first_peck, peck_step, least_peck, aside_first, aside_second, level;
+    std::optional<double> r, bottom, dwell, peck, first_peck, peck_step, least_peck, aside_first, aside_second, level,
+        out_factor;
     bool told_of_wall = false;
   };
 

@@ -60,6 +60,14 @@ std::span<const DrillAction> actions_of(const DrillCycle::Plan& plan) {
   }
 }
 
+bool is_tapping(Code code) {
+  return code == Code::G74 || code == Code::G84;
+}
+
+std::span<const DrillAction> from_in_step(std::span<const DrillAction> actions) {
+  return actions.subspan(static_cast<std::size_t>(std::ranges::find(actions, DrillAction::in_step) - actions.begin()));
+}
+
 }  // namespace
 
 DrillCycle::DrillCycle(const Plan& plan) : plan_(plan), phase_(Phase::lift), position_(plan.start) {}
@@ -140,6 +148,13 @@ DrillCycle::Step DrillCycle::peck() {
   return at_level(Step::Kind::feed, deeper);
 }
 
+// Of a tap: that of the next peck, or the bottom.
+double DrillCycle::tap_level() {
+  const double deeper = plan_.r_level - ++pecks_ * plan_.peck;
+  peck_level_ = plan_.peck > 0 && deeper > plan_.bottom + least_rest ? deeper : plan_.bottom;
+  return peck_level_;
+}
+
 DrillCycle::Step DrillCycle::in_hole() {
   using Kind = Step::Kind;
   while (!actions_.empty() && actions_.front() == Action::dwell && !plan_.dwells) actions_ = actions_.subspan(1);
@@ -150,11 +165,14 @@ DrillCycle::Step DrillCycle::in_hole() {
     switch (action) {
       case Action::peck:
       case Action::down:
-        return at_level(Kind::feed, plan_.bottom);
+        return at_level(Kind::feed, is_tapping(plan_.code) ? tap_level() : plan_.bottom);
       case Action::plunge:
         return at_level(Kind::rapid, plan_.bottom);
-      case Action::out:
-        return at_level(Kind::feed, plan_.out_level);
+      case Action::out: {
+        Step out = at_level(Kind::feed, taps_deeper() ? plan_.r_level : plan_.out_level);
+        out.is_fast = true;
+        return out;
+      }
       case Action::bore_back:
         return at_level(Kind::feed, plan_.level);
       case Action::clear:
@@ -172,6 +190,7 @@ DrillCycle::Step DrillCycle::in_hole() {
       case Action::reverse:
         return {Kind::spindle_reverse, position_};
       case Action::start:
+        if (taps_deeper()) actions_ = from_in_step(actions_of(plan_));
         return {Kind::spindle_start, position_};
       case Action::turn:
         return {Kind::spindle_turn, position_};

@@ -34,15 +34,16 @@ class DrillCycle {
     double clear_level = 0;  ///< ≥ r_level; where the tool waits between holes
     double out_level = 0;    ///< ≥ r_level; to which a cycle that goes out at feed does so
     double bottom = 0;
-    double peck = 0;             ///< G73, G83: mm, > 0: the first
-    double peck_step = 0;        ///< mm, ≥ 0: by which each is less than the one before
-    double least_peck = 0;       ///< mm, > 0 where peck_step is
-    double dwell_seconds = 0;    ///< ≥ 0; no dwell where 0 and the cycle may do without
-    double level = 0;            ///< G87: to which it bores upwards
-    base::AxisVector aside{};    ///< G76, G87: from the hole to where the tool clears its wall
-    int repeats = 1;             ///< ≥ 1
+    double peck = 0;           ///< G73, G83: mm, > 0: the first. G74, G84: of each, the tool out to R between; 0: none
+    double peck_step = 0;      ///< mm, ≥ 0: by which each is less than the one before
+    double least_peck = 0;     ///< mm, > 0 where peck_step is
+    double dwell_seconds = 0;  ///< ≥ 0; no dwell where 0 and the cycle may do without
+    double level = 0;          ///< G87: to which it bores upwards
+    base::AxisVector aside{};  ///< G76, G87: from the hole to where the tool clears its wall
+    int repeats = 1;           ///< ≥ 1
     bool spindle_turned = true;  ///< before the cycle; a tapping cycle then need not turn it
     bool dwells = false;         ///< P was given
+    double out_factor = 1;       ///< G74, G84: so many times as fast out as in, spindle and feed alike; ≥ 1
     bool follows = false;        ///< of a tapping cycle: the machine follows a spindle that it simulates
   };
 
@@ -64,6 +65,7 @@ class DrillCycle {
     };
     Kind kind = Kind::rapid;
     base::AxisVector target{};
+    bool is_fast = false;  ///< of a tap's way out: times Plan::out_factor
   };
 
   /// What a cycle may do from R on.
@@ -112,6 +114,8 @@ class DrillCycle {
   Step at_level(Step::Kind kind, double level);
   Step in_hole();
   Step peck();
+  double tap_level();
+  bool taps_deeper() const { return plan_.peck > 0 && pecks_ > 0 && peck_level_ > plan_.bottom; }
   Step move_aside(double sign);
 
   Plan plan_;
@@ -120,7 +124,7 @@ class DrillCycle {
   int hole_ = 0;
   std::span<const Action> actions_;  // of the hole, those still to come
   double peck_level_ = 0;            // to which the pecks so far have gone
-  int pecks_ = 0;
+  int pecks_ = 0;                    // of the hole, so far
 };
 
 }  // namespace leadscrew::gcode

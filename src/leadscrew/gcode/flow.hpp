@@ -167,6 +167,7 @@ class Flow {
   bool macro_arguments(const Statement& statement, std::vector<double>& arguments, double& program, double& repeats);
   Next go_to_value(const char* p, TextLine& line, const Statement& at);
   Next go_to_block(std::int64_t number, TextLine& line, const Statement& at);
+  bool pass_to_contour(const TextPlace& begin, TextLine& line, bool& goes_on);
   bool find_label(std::int64_t number, TextLine& line, const Statement& at, Label& label);
   bool scan_label(std::int64_t number, const TextPlace& from, Label& label, int& count);
 

@@ -21,9 +21,51 @@ Flow::Next Flow::call_profile(const Block& cycle, const TextLine& line) {
     return error(at, "bad-contour", "the block Q of the contour stands before the block P", "P begins it, Q ends it");
   }
   Call call{.kind = CallKind::profile, .name = last, .body = begin.place, .program = program_begin()};
-  const bool is_behind = begin.place.offset >= text_.place().offset;
-  call.goes_on = is_behind && !cycle.is(Code::G70_profile);
+  if (!cycle.is(Code::G70_profile) && !pass_to_contour(begin.place, of_block, call.goes_on)) return Next::stop;
   return begin_call(std::move(call), at);
+}
+
+namespace {
+
+/// Has the line M2, M30 or M99?
+bool ends_program(const char* p) {
+  for (int depth = 0; *p != '\n' && *p != ';'; ++p) {
+    depth += (*p == '(') - (*p == ')');
+    if (depth > 0 || (*p != 'M' && *p != 'm')) continue;
+    int number = 0;
+    while (p[1] == ' ' || (p[1] >= '0' && p[1] <= '9')) {
+      if (*++p != ' ') number = std::min(10 * number + (*p - '0'), 1000);
+    }
+    if (number == 2 || number == 30 || number == 99) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// Does the program go on behind a contour that begins there, for it stands behind the cycle and before the program's end?
+/// Blocks between are then passed over, of which is warned. The next line is still that behind `line`.
+bool Flow::pass_to_contour(const TextPlace& begin, TextLine& line, bool& goes_on) {
+  goes_on = begin.offset >= text_.place().offset;
+  if (!goes_on) return true;
+  base::Line first{}, last{};
+  for (TextLine between = line; text_.next(between) && place_of(between).offset < begin.offset;) {
+    if (counts_) --fuel_;
+    const char* p = between.text;
+    skip_remarks(p);
+    if (*p == '\n' || *p == '%' || *p == ';') continue;
+    goes_on = goes_on && !ends_program(p);
+    if (base::number(first) == 0) first = between.id;
+    last = between.id;
+  }
+  if (text_.failure() || !return_to_line(line)) return false;
+  if (!goes_on || base::number(first) == 0) return true;
+  const std::string from = std::to_string(base::number(first)), to = std::to_string(base::number(last));
+  reporter_.warning("passed-over", line.text - line.begin + 1,
+                    (from == to ? "line " + from + " stands" : "lines " + from + " to " + to + " stand") +
+                        " between the cycle and its contour, and the program goes on behind the contour",
+                    "put them before the cycle or behind the contour; or the contour behind M30");
+  return true;
 }
 
 Flow::Next Flow::end_profile() {

@@ -132,7 +132,10 @@ void Interpreter::finish_block(const Block& block) {
   if (block.has(Group::nonmodal)) dispatch(block.code(Group::nonmodal), block);
   execute_motion(block);
   if (modal_.constant_surface_speed) events_.follow_surface();
-  if (block.is(Code::G9)) set_path_control({});
+  if (block.is(Code::G9)) {
+    vectors_.settle();  // what follows is rounded again
+    set_path_control({});
+  }
   stop(block);
 
   curves_.note_errors();

@@ -20,7 +20,7 @@ void Interpreter::set_modes(const Block& block) {
   if (block.has(Group::rotation) || tilted_planes_.is_unfinished()) {
     const bool was_tilted = frame_.is_tilted();
     tilted_planes_.set(block);
-    if (was_tilted != frame_.is_tilted()) cycles_.end_series();
+    if (was_tilted || frame_.is_tilted()) cycles_.end_series();  // its level is of the plane
   }
   transforms_.set(block);
   if (block.has(Group::path)) set_path_control(block);

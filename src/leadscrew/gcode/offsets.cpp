@@ -123,7 +123,7 @@ void Offsets::note_missing_table(const Block& block) {
 
 void Offsets::begin() {
   select_system(static_cast<int>(parameters_.get(Parameters::current_system).value_or(1)));
-  if (parameters_.get(Parameters::g92_active).value_or(0) != 0) {
+  if (are_shifted()) {
     frame_.set_shift(parameters_.axes(Parameters::g92_shift));
   }
 }
@@ -320,6 +320,11 @@ void Offsets::set_shift(const Block& block) {
   const bool is_on = code != Code::G92_1 && code != Code::G92_2;
   parameters_.set(Parameters::g92_active, is_on);
   frame_.set_shift(shift);
+}
+
+void Offsets::put_shift_in_force(bool is_in_force) {
+  parameters_.set(Parameters::g92_active, is_in_force);
+  frame_.set_shift(is_in_force ? parameters_.axes(Parameters::g92_shift) : base::AxisVector{});
 }
 
 // By the point of the axis words, if there are any, to the stored place; with axis words, those axes only (LinuxCNC).

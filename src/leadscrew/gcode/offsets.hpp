@@ -26,6 +26,10 @@ class Offsets : Part {
   void set_local(const Block& block);
   /// G92, G92.1, G92.2, G92.3.
   void set_shift(const Block& block);
+  /// Whether those two are in force.
+  bool are_shifted() const { return parameters_.get(Parameters::g92_active).value_or(0) != 0; }
+  /// As G92.3 and G92.2 do.
+  void put_shift_in_force(bool is_in_force);
   /// G28, G30.
   void go_home(const Block& block);
   /// G28.1, G30.1.

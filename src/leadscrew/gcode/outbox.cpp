@@ -21,6 +21,7 @@ void Outbox::set_tool(Move& move) const {
 }
 
 Move& Outbox::emit(Move::Kind kind) {
+  if (size_ == moves_.size()) moves_.emplace_back();
   Move& move = moves_[size_++];
   prepare(move, kind, modal_.line);
   return move;

@@ -1,7 +1,7 @@
 #pragma once
 // The moves and events that one block has made, until they are taken.
 
-#include <array>
+#include <deque>
 #include <leadscrew/gcode/part.hpp>
 
 namespace leadscrew::gcode {
@@ -49,7 +49,7 @@ class Outbox : Part {
   bool waits_for(base::Event::Kind kind) const;
   void set_tool(Move& move) const;
 
-  std::array<Move, 16> moves_;
+  std::deque<Move> moves_;  ///< those not used are kept for their memory
   std::size_t size_ = 0;
   std::size_t next_ = 0;
 };

@@ -35,9 +35,16 @@ bool SavedModes::leaving_ends_compensation() const {
 
 void SavedModes::keep(bool comes_back) {
   if (kept_.empty() || kept_.back().calls < modal_.calls) kept_.emplace_back();
+  comes_back |= kept_.back().comes_back;  // M70 behind M73 keeps others, and they come back by themselves
   const bool has_tip_control = frame_.tip_control() && !modal_.tip_by_m;
-  kept_.back() = {modal_.calls,          comes_back, modal_, frame_.length_unit, frame_.tool(), has_tip_control,
-                  frame_.takes_vectors()};
+  kept_.back() = {modal_.calls,
+                  comes_back,
+                  modal_,
+                  frame_.length_unit,
+                  frame_.tool(),
+                  has_tip_control,
+                  frame_.takes_vectors(),
+                  offsets_.are_shifted()};
   modal_.fewest_calls = modal_.calls;
   modal_.is_plain = false;
 }
@@ -57,7 +64,8 @@ bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
     return error("tilted-plane", column, "another coordinate system comes back while a plane is tilted",
                  "G69 before it");
   }
-  if (!compensation_.bring_back(before, kept.tool_length, column)) return false;
+  const bool shifts_alike = kept.is_shifted == offsets_.are_shifted();
+  if (!compensation_.bring_back(before, kept.tool_length, shifts_alike, column)) return false;
   if (kept.has_tip_control && fails_beside_contour(column, "tool centre point control that comes back")) return false;
   frame_.length_unit = kept.length_unit;
   modal_.plane = before.plane;
@@ -68,12 +76,14 @@ bool SavedModes::bring_back(const Kept& kept, std::uint32_t column) {
   modal_.path_mode = before.path_mode;
   modal_.tolerance = before.tolerance;
   modal_.naive_cam_tolerance = before.naive_cam_tolerance;
+  modal_.orientation_tolerance = before.orientation_tolerance;
   modal_.feed_mode = before.feed_mode;
   modal_.feed_known = before.feed_known;
   modal_.feed_word = before.feed_word;
   modal_.linear_feed = before.linear_feed;
   modal_.angular_feed = before.angular_feed;
   if (modal_.system != before.system) offsets_.select_system(before.system);
+  if (!shifts_alike) offsets_.put_shift_in_force(kept.is_shifted);
   bring_back_tool(kept);
   bring_back_machine(before);
   return true;

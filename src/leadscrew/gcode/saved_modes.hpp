@@ -3,8 +3,8 @@
 //
 // Each call has modes of its own to keep, once: M70 and M73 keep them, M72 brings them back, M71 forgets them. What M73
 // has kept comes back where the call ends, however it ends. Units, plane, distance and feed modes, F, S, tool length, the coordinate
-// system, path control, retract mode, diameters, spindle, coolant and overrides are kept, and that cutter compensation is
-// off; the motion in force is not.
+// system, path control, retract mode, diameters, spindle, coolant and overrides are kept, whether G92 and G52 are in force,
+// and that cutter compensation is off; the motion in force is not, nor how far G92 shifts.
 
 #include <leadscrew/gcode/cutter_compensation.hpp>
 #include <leadscrew/gcode/offsets.hpp>
@@ -40,6 +40,7 @@ class SavedModes : Part {
     base::AxisVector tool_length{};
     bool has_tip_control = false;  ///< by G43.4 or G43.5
     bool takes_vectors = false;
+    bool is_shifted = false;  ///< by G92 or G52
   };
 
   void keep(bool comes_back);

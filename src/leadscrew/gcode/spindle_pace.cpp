@@ -57,6 +57,14 @@ bool SpindlePace::goes_straight(const Block& block, const Line& line) {
   return true;
 }
 
+// A speed in whole revolutions per minute, and the feed that keeps the lead at it.
+std::string SpindlePace::at_most(const Line& line, double speed) const {
+  const double whole = std::floor(speed);
+  const std::string most = "at most S" + text(whole);
+  if (!line.is_by_feed) return most;
+  return most + " with F" + text(line.lead * whole / frame_.length_unit) + ", which is the same lead";
+}
+
 // An axis that cannot go as fast as the spindle asks would spoil the thread. So does a simulated spindle where it is fastest.
 bool SpindlePace::is_reached(const Block& block, const Line& line) {
   if (!goes_straight(block, line)) return false;
@@ -69,7 +77,7 @@ bool SpindlePace::is_reached(const Block& block, const Line& line) {
   if (asked <= fastest * (1 + rounding)) return true;
   return error("thread-too-fast", motion_column(block),
                "the thread asks for " + text(asked * seconds_per_minute) + " mm/min at S" + text(line.speed),
-               "the axes go along with at most S" + text(std::floor(fastest * seconds_per_minute / line.lead)));
+               "the axes go along with " + at_most(line, fastest * seconds_per_minute / line.lead));
 }
 
 // By n² / 2a revolutions.
@@ -81,11 +89,10 @@ bool SpindlePace::can_brake(const Block& block, const Line& line) {
   const double turns = line.speed / seconds_per_minute, way = line.lead * turns * turns / (2 * acceleration);
   if (way <= length) return true;
   const double slower = std::sqrt(2 * acceleration * length / line.lead) * seconds_per_minute;
-  return error(
-      "tap-too-short", motion_column(block),
-      "the spindle takes " + text(std::ceil(way * 10) / 10) + " mm to stand from S" + text(line.speed) +
-          ", and the tap is " + text(std::round(length * 1000) / 1000) + " mm deep",
-      "at most S" + text(std::floor(slower)) + ", or a spindle that brakes faster ([spindle] acceleration_rpm_s)");
+  return error("tap-too-short", motion_column(block),
+               "the spindle takes " + text(std::ceil(way * 10) / 10) + " mm to stand from S" + text(line.speed) +
+                   ", and the tap is " + text(std::round(length * 1000) / 1000) + " mm deep",
+               at_most(line, slower) + "; or a spindle that brakes faster ([spindle] acceleration_rpm_s)");
 }
 
 }  // namespace leadscrew::gcode

@@ -20,6 +20,7 @@ class SpindlePace : Part {
     const base::AxisVector& to;
     double lead = 0;
     double speed = 0;
+    bool is_by_feed = false;  ///< the lead is F / S
   };
 
   /// Do the axes go as fast as the spindle asks? Else `thread-too-fast`; `thread-turns-tool` where a simulated spindle is
@@ -29,6 +30,7 @@ class SpindlePace : Part {
   bool can_brake(const Block& block, const Line& line);
 
  private:
+  std::string at_most(const Line& line, double speed) const;
   bool goes_straight(const Block& block, const Line& line);
   base::AxisVector axes_at(const base::AxisVector& place) const;
   machine::Derivatives limits_along(const Line& line) const;

@@ -94,7 +94,7 @@ void VectorMoves::line(const Block& block) {
     run_begin_ = next_number();
     run_begin_line_ = place.line;
   }
-  lines_.push_back({target, feed, place});
+  lines_.push_back({target, feed, block.is(Code::G9), place});
   lead(direction, target, is_free);
   set_position(target);
 }

@@ -55,6 +55,7 @@ class VectorMoves : Part {
   struct KeptLine {
     base::AxisVector end{};
     Feed feed;
+    bool stops = false;  ///< exactly at its end (G9)
     KeptPlace place;
   };
   struct KeptEvent {

@@ -98,7 +98,7 @@ bool VectorMoves::is_inside() {
 /// How many parts one smooth curve takes from here on; less than two where there is none. Under G64 lines are rounded
 /// together with those of other blocks.
 std::size_t VectorMoves::parts_of_curve() const {
-  if (blends()) return 0;
+  if (blends() && !lines_.front().stops) return 0;
   std::size_t count = 0;
   for (double share = share_; count < parts_left_ && count + 1 < most_control_points; ++count) {
     const LinePart& part = parts_[count];
@@ -114,6 +114,10 @@ bool VectorMoves::make_move(Move& move) {
   const std::size_t of_curve = parts_of_curve(), count = std::max<std::size_t>(of_curve, 1);
   const LinePart& last = parts_[count - 1];
   outbox_.prepare(move, of_curve > 1 ? Move::Kind::nurbs : Move::Kind::line, line.place.line);
+  if (line.stops) {
+    move.path_mode = PathMode::exact_stop;
+    move.tolerance = move.naive_cam_tolerance = move.orientation_tolerance = 0;
+  }
   move.start = at_;
   move.end = place_at(last);
   move.feed = last.vertex.is_pole_turn ? Feed{} : line.feed;

@@ -168,7 +168,7 @@ class Explanation {
     Code taker = Code::none;
     for (const Code code : codes_) {
       const bool has_vector = gcode::row(Code::G43_5).dialects.has(dialect_) && is_of_tool_vector(code, word.letter);
-      if (gcode::row(code).words.has(word.letter) || (has_vector && taker == Code::none)) taker = code;
+      if (gcode::row(code).words_in(dialect_).has(word.letter) || (has_vector && taker == Code::none)) taker = code;
     }
     const WordMeaning meaning = meaning_of(taker, word.letter);
     if (meaning.meaning.empty()) {

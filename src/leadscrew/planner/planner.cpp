@@ -210,6 +210,7 @@ bool Planner::pass_over(const toolpath::Element& element) {
     travelling_.begin_at(start_->path_length, start_->events);
     start_.reset();
     started_at_ = piece->axes().position(std::max(distance_left, 0.0));
+    start_in_step(distance_left <= negligible_length ? 0 : distance_left);
     if (distance_left <= negligible_length) return false;
     position_ = piece->axes().position(distance_left);
     take(*piece);

@@ -51,6 +51,9 @@ class Planner {
   void start_at(double path_length, base::Line line);
   /// Where that is on the path, once a chunk has been popped or there is none; none where the path is not so long.
   std::optional<geometry::Point> started_at() const;
+  /// Is that within a line in step with the spindle, or behind the first of a tap's two? What is left of the line, or of the
+  /// tap, then goes at the speed of S: a tap cannot be gone on with in step.
+  bool starts_in_step() const { return starts_in_step_; }
 
   // For a controller that must answer at any time. Chunks must then be offered one by one, each before the next is
   // popped.
@@ -129,6 +132,7 @@ class Planner {
   double slice_in_force() const;
   void take_lead(const base::Event& event);
   void pass_turns(const toolpath::Piece& piece);
+  void start_in_step(double s);
   std::optional<Chunk::InStep> in_step();
 
   struct Start {
@@ -147,12 +151,14 @@ class Planner {
   double slice_ = std::numeric_limits<double>::infinity();
   double spindle_speed_ = 0;  ///< revolutions per minute
   AskedOverrides asked_;
-  double feed_factor_ = 1;                 ///< in force
-  bool follows_ = false;                   ///< the cycle, a spindle
-  double lead_ = 0;                        ///< of the thread or tap that motion is in; else 0
-  bool taps_ = false;                      ///< is it a tap?
-  double turns_ = 0;                       ///< of the spindle since the thread began, at the end of what was taken
-  bool is_in_thread_ = false;              ///< a line of it was in step
+  double feed_factor_ = 1;     ///< in force
+  bool follows_ = false;       ///< the cycle, a spindle
+  double lead_ = 0;            ///< of the thread or tap that motion is in; else 0
+  bool taps_ = false;          ///< is it a tap?
+  double turns_ = 0;           ///< of the spindle since the thread began, at the end of what was taken
+  bool is_in_thread_ = false;  ///< a line of it was in step
+  bool starts_in_step_ = false;
+  bool is_tap_begun_ = false;              ///< motion has started within it
   double dwelt_ = 0;                       ///< s handed out of the dwell that is the next element
   std::vector<base::Event> events_;        ///< waiting for the chunk they come before
   TravellingEvents travelling_;            ///< all others

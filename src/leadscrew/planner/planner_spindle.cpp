@@ -23,7 +23,14 @@ void Planner::take_lead(const base::Event& event) {
   lead_ = event.value;
   if (lead_ > 0) return;
   turns_ = 0;
-  is_in_thread_ = false;
+  is_in_thread_ = is_tap_begun_ = false;
+}
+
+/// So far into a piece.
+void Planner::start_in_step(double s) {
+  if (lead_ == 0) return;
+  is_tap_begun_ = taps_ && (s > 0 || turns_ > 0);
+  starts_in_step_ = s > 0 || is_tap_begun_;
 }
 
 void Planner::pass_turns(const toolpath::Piece& piece) {
@@ -33,7 +40,8 @@ void Planner::pass_turns(const toolpath::Piece& piece) {
 /// Of the section, if nothing of it has been handed out and it is a line in step with the spindle.
 std::optional<Chunk::InStep> Planner::in_step() {
   const geometry::Line* line = last_->axes().line();
-  if (!follows_ || lead_ == 0 || look_ahead_.section().size() > 1 || closed_form_->rest() > 0 || line == nullptr)
+  if (!follows_ || lead_ == 0 || is_tap_begun_ || look_ahead_.section().size() > 1 || closed_form_->rest() > 0 ||
+      line == nullptr)
     return std::nullopt;
   Chunk::InStep step{.lead = lead_along(*last_, lead_), .waits_for_index = !is_in_thread_};
   step.limits = line_limits(*line, constraints_);
