@@ -105,6 +105,35 @@ TEST(SmoothPieces, HaveFiniteDerivativesAtACusp) {
   }
 }
 
+/// Straight, out of a point that four control points share: nothing but the first derivative is left, however near.
+TEST(SmoothPieces, AreSmoothUpToControlPointsThatCoincide) {
+  NurbsForm form = spline(4, {point(0, 0), point(9, 1), point(8, -7), point(8, -7), point(8, -7), point(8, -7)}, {0.5});
+  form.weights = {1, 10, 1, 10, 1, 3};
+  const auto pieces = smooth_pieces(form);
+  const Nurbs& last = pieces.back();
+  for (double left = 1e-3; left > 1e-11; left /= 1.7) {
+    const PointJet jet = last.jets(last.length() - left);
+    EXPECT_NEAR(std::hypot(jet[0].first, jet[1].first), 1, 1e-7) << left;
+    EXPECT_LE(std::hypot(jet[0].second, jet[1].second) * left, 1e-5) << left;
+    EXPECT_LE(std::hypot(jet[0].third, jet[1].third) * left * left, 2e-3) << left;
+  }
+}
+
+TEST(SmoothPieces, AreNumbersHoweverShort) {
+  NurbsForm form;
+  form.degree = 4;
+  form.knots = {0, 0, 0, 0, 0, 84.875, 85, 85, 85, 85, 85};
+  form.weights = {1.1, 2.6, 2.9, 1.3, 2.2, 3.5};
+  form.points = {point(-0.009, -0.01), point(-0.006, 0.004), point(0.002, -0.002),
+                 point(0.002, -0.002), point(0.002, -0.002), point(0.002, -0.002)};
+  for (const Nurbs& piece : smooth_pieces(form)) {
+    for (int k = 0; k <= 100; ++k) {
+      const PointJet jet = piece.jets(piece.length() * k / 100);
+      EXPECT_TRUE(std::isfinite(jet[0].value) && std::isfinite(jet[1].third)) << piece.length() << " " << k;
+    }
+  }
+}
+
 TEST(SmoothPieces, AreCutAtAReversal) {
   // Straight, x = 3t(1 − t).
   const auto pieces = smooth_pieces(bezier({point(0, 0), point(1, 0), point(1, 0), point(0, 0)}));

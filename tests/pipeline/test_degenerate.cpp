@@ -250,4 +250,30 @@ TEST(Degenerate, FastestFeeds) {
   passes("G5 X10 Y10 I5 J0 P0 Q-5 F1000000000\nM2\n", {10, 10});
 }
 
+/// Where control points coincide a curve's parameter stands, and its derivatives by arc length are made of ever smaller numbers.
+TEST(Degenerate, CurvesWithControlPointsThatCoincide) {
+  const std::string curves[] = {
+      "F1000\nG5.2 X-0.007 Y0.004 P10 L5\nX-0.007 Y0.004 P10\nX-0.007 Y0.004 P2\nX-0.007 Y0.004 P10\nX9 Y0.01 P10\nX8 "
+      "Y-7 P1\nX8 Y-7 P10\nX8 Y-7 P1\nX8 Y-7 P1\n",
+      "F1000\nG5.2 X0.009 Y0.008 P1 L5\nX0.008 Y0.003 P1\nX-1 Y4 P1\nX-1 Y4 P1\nX0.008 Y0.005 P1\nX-0.005 Y-3 "
+      "P0.5\nX-9 Y-7 P1\nX-9 Y-7 P1\nX-9 Y-7 P0.5\nX-9 Y-7 P1\n",
+      "F1000\nG5.2 X8 Y-9 P1 L6\nX8 Y-9 P0.5\nX8 Y-9 P0.5\nX8 Y-9 P0.5\nX8 Y-9 P10\nX10 Y3 P1\nX1 Y0 P2\nX1 Y0 "
+      "P0.5\nX1 Y0 P2\n",
+      "F1000\nG5.2 X-20 Y-70 P0.5 L6\nX-20 Y-70 P0.5\nX-3 Y0 P1\nX-3 Y0 P10\nX-3 Y0 P2\nX-3 Y0 P0.5\nX9 Y100 P10\nX9 "
+      "Y100 P1\nX9 Y100 P10\nX9 Y100 P0.5\n",
+      "F6000\nG5.2 X4 Y-0.01 P10 L5\nX0.003 Y-4 P0.5\nX0.003 Y-4 P2\nX0.003 Y-4 P1\nX0.003 Y-4 P10\nX0.006 Y-5 P2\nX-7 "
+      "Y0.01 P1\nX10 Y0.008 P10\nX10 Y0.008 P1\nX0.003 Y-6 P2\nX0.003 Y-6 P2\nX0.003 Y-6 P1\nX0.003 Y-6 P10\nX0.003 "
+      "Y-6 P0.5\n",
+      "F1000\nG5.2 X-8 Y-7 P1 L5\nX-8 Y-7 P2\nX-8 Y-7 P2\nX-8 Y-7 P1\nX9 Y8 P2\nX-1 Y0 P1\nX-5 Y-8 P1\nX-8 Y1 P2\nX-8 "
+      "Y1 P1\nX-8 Y1 P10\nX-8 Y1 P0.5\nX-8 Y1 P2\n",
+      "F6000\nG5.2 X-40 Y3 P10 L6\nX50 Y7 P1\nX50 Y7 P1\nX50 Y7 P0.5\nX20 Y4 P0.5\nX20 Y4 P1\nX20 Y4 P1\nX20 Y4 "
+      "P2\nX20 Y4 P0.5\n",
+      "F6000\nG5.2 X6 Y0 P1 L5\nX6 Y0 P0.5\nX6 Y0 P1\nX6 Y0 P10\nX0.003 Y0.008 P0.5\nX0.003 Y0.008 P1\nX0.003 Y0.008 "
+      "P2\nX0.003 Y0.008 P1\n",
+      "F6000\nG5.2 X90 Y60 P10 L6\nX4 Y4 P0.5\nX4 Y4 P2\nX-80 Y-20 P10\nX-80 Y-20 P1\nX-80 Y-20 P0.5\nX-80 Y-20 "
+      "P1\nX-80 Y-20 P1\nX20 Y0 P2\nX20 Y0 P10\nX20 Y-5 P1\n",
+  };
+  for (const std::string& curve : curves) passes(curve + "G5.3\nG1 X10 Y3\nM2\n", {10, 3});
+}
+
 }  // namespace test_degenerate

@@ -24,6 +24,7 @@ struct Node {
   double x1 = 0, x2 = 0, x3 = 0;  ///< x′, x″, x‴
   double speed = 0;               ///< v
   double scale = 0;               ///< k
+  double condition = 0;           ///< rounding of v, relative, by that of the numbers that it is made of
 };
 
 struct Interval {
@@ -49,8 +50,29 @@ class Mapper {
   }
 
   /// Whether the sum of the halves stands for the whole: within the tolerance or to rounding.
-  bool agrees(double whole, double halves, double width) const {
-    return std::abs(whole - halves) <= tolerance_.length * halves + 16 * epsilon * reach_ * width;
+  bool agrees(double whole, double halves, double condition) const {
+    return std::abs(whole - halves) <= (tolerance_.length + 16 * epsilon * condition) * halves;
+  }
+
+  /// |dC/dx|, all of whose terms are added up without their signs.
+  double greatest_speed(double x) const {
+    const double magnitude = std::abs(x);
+    const auto unsigned_of = [&](const Coefficients& c) {
+      double value = 0, slope = 0;
+      for (std::size_t i = curve_.degree + 1; i-- > 0;) {
+        slope = slope * magnitude + value;
+        value = value * magnitude + std::abs(c[i]);
+      }
+      return std::pair(value, slope);
+    };
+    const auto [w, dw] = unsigned_of(curve_.weight);
+    const double weight = curve_.rational ? curve_.weight_jet(x).value : 1;
+    double sum = 0;
+    for (std::size_t k = 0; k < metric_.count; ++k) {
+      const auto [n, dn] = unsigned_of(curve_.numerator[metric_.slot[k]]);
+      sum += metric_.weight[k] * (curve_.rational ? (dn * w + n * dw) / (weight * weight) : dn);
+    }
+    return sum;
   }
 
   Node node(double x) const {
@@ -69,6 +91,7 @@ class Mapper {
     }
     const double v = std::sqrt(c11), v1 = c12 / v, v2 = (c22 + c13 - v1 * v1) / v;
     node.speed = v;
+    node.condition = greatest_speed(x) / v;
     node.x1 = 1 / v;
     node.x2 = -v1 / (v * v * v);
     node.x3 = (3 * v1 * v1 / v - v2) / (v * v * v * v);
@@ -90,7 +113,7 @@ class Mapper {
       return;
     }
     if (!is_singular &&
-        (pieces.size() >= most_pieces || agrees(interval.length, length, interval.end - interval.begin))) {
+        (pieces.size() >= most_pieces || agrees(interval.length, length, std::max(begin.condition, end.condition)))) {
       MapPiece piece = quintic(interval, length, begin, end);
       const bool no_more = pieces.size() >= most_pieces;
       if (no_more && !is_monotonic(piece)) piece.c = {(interval.end - interval.begin) / length};
@@ -120,11 +143,15 @@ class Mapper {
     const double h = piece.length;
     const auto& c = piece.c;
     const double k = std::max(begin.scale, end.scale);
-    // Rounding: x is known to the precision of the curve's numbers.
-    const double noise = 64 * epsilon * std::max(1.0, reach_ * std::abs(piece.x_end - piece.x_begin) / h);
+    const double noise = 64 * epsilon * std::max({1.0, begin.condition, end.condition});  // rounding
     constexpr double peak = 0.85;  // of a rational curve's error, at the place that is looked at, at least
-    const double allowed = peak * tolerance_.speed + noise, allowed_first = tolerance_.first * k + 10 * noise / h,
-                 allowed_second = tolerance_.second * k * k + 100 * noise / (h * h);
+    // Towards a singular end speed grows out of rest, v³ ~ s²: 100 times the step of q‴ is still none of jerk there.
+    const bool is_near_singular =
+        is_graded_ && std::max(begin.speed, end.speed) * std::abs(piece.x_begin) < whole_length_;
+    const double wider = is_near_singular ? 10 : 1;
+    const double allowed = peak * tolerance_.speed + noise,
+                 allowed_first = wider * tolerance_.first * k + 10 * noise / h,
+                 allowed_second = wider * wider * tolerance_.second * k * k + 100 * noise / (h * h);
     if (begin.speed * std::abs(6 * c[2] - begin.x3) > allowed_second) return false;
     const double third_end = 6 * c[2] + h * (24 * c[3] + h * 60 * c[4]);
     if (end.speed * std::abs(third_end - end.x3) > allowed_second) return false;

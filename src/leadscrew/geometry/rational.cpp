@@ -71,10 +71,18 @@ Coefficients powers_from_end(const Coefficients& c, std::size_t degree) {
   return result;
 }
 
-RationalTaylor expand(const RationalBezier& curve, Coefficients (*powers_of)(Coefficients, std::size_t)) {
-  RationalTaylor taylor{curve.degree, curve.count, curve.rational, {}, {}};
-  for (std::size_t k = 0; k < curve.count; ++k) taylor.numerator[k] = powers_of(curve.numerator[k], curve.degree);
-  taylor.weight = powers_of(curve.weight, curve.degree);
+/// Of numerators about an origin, which goes to where the curve is at x = 0.
+RationalTaylor expand(const RationalBezier& curve, const Point& origin,
+                      const std::array<Coefficients, base::axis_count>& numerators,
+                      Coefficients (*powers_of)(const Coefficients&, std::size_t)) {
+  RationalTaylor taylor{curve.degree, curve.count, curve.rational, origin, {}, powers_of(curve.weight, curve.degree)};
+  for (std::size_t k = 0; k < curve.count; ++k) {
+    Coefficients& numerator = taylor.numerator[k];
+    numerator = powers_of(numerators[k], curve.degree);
+    taylor.origin[k] = origin[k] + numerator[0] / taylor.weight[0];
+    const double moved = taylor.origin[k] - origin[k];
+    for (std::size_t i = 0; moved != 0 && i <= curve.degree; ++i) numerator[i] -= moved * taylor.weight[i];
+  }
   return taylor;
 }
 
@@ -108,17 +116,23 @@ Jet<> RationalTaylor::weight_jet(double x) const {
 
 RationalBezier bezier_of_span(const NurbsForm& form, const Moving& moving, bool rational, std::size_t span) {
   const std::size_t p = static_cast<std::size_t>(form.degree);
-  RationalBezier curve{p,  moving.count, rational,         {},
-                       {}, {},           form.knots[span], form.knots[span + 1] - form.knots[span]};
-  const Point& near_by = form.points[span - p];
+  RationalBezier curve{.degree = p,
+                       .count = moving.count,
+                       .rational = rational,
+                       .parameter = form.knots[span],
+                       .width = form.knots[span + 1] - form.knots[span]};
+  const Point &first = form.points[span - p], &last = form.points[span];
   Coefficients d{}, w{};
   for (std::size_t r = 0; r <= p; ++r) w[r] = rational ? form.weights[span - p + r] : 1;
   for (std::size_t r = 0; r <= p; ++r) curve.weight[r] = rational ? blossom(form, span, r, w) : 1;
   for (std::size_t k = 0; k < moving.count; ++k) {
     const std::size_t i = moving.coordinate[k];
-    curve.origin[k] = near_by[i];
-    for (std::size_t r = 0; r <= p; ++r) d[r] = w[r] * (form.points[span - p + r][i] - near_by[i]);
+    curve.origin[k] = first[i];
+    for (std::size_t r = 0; r <= p; ++r) d[r] = w[r] * (form.points[span - p + r][i] - first[i]);
     for (std::size_t r = 0; r <= p; ++r) curve.numerator[k][r] = blossom(form, span, r, d);
+    curve.end_origin[k] = last[i];
+    for (std::size_t r = 0; r <= p; ++r) d[r] = w[r] * (form.points[span - p + r][i] - last[i]);
+    for (std::size_t r = 0; r <= p; ++r) curve.end_numerator[k][r] = blossom(form, span, r, d);
   }
   return curve;
 }
@@ -128,6 +142,7 @@ std::pair<RationalBezier, RationalBezier> split(const RationalBezier& curve, dou
   auto& [before, after] = parts;
   for (std::size_t k = 0; k < curve.count; ++k) {
     split(curve.numerator[k], curve.degree, t, before.numerator[k], after.numerator[k]);
+    split(curve.end_numerator[k], curve.degree, t, before.end_numerator[k], after.end_numerator[k]);
   }
   split(curve.weight, curve.degree, t, before.weight, after.weight);
   before.width = curve.width * t;
@@ -137,11 +152,12 @@ std::pair<RationalBezier, RationalBezier> split(const RationalBezier& curve, dou
 }
 
 RationalTaylor from_start(const RationalBezier& curve) {
-  return expand(curve, powers);
+  return expand(curve, curve.origin, curve.numerator,
+                [](const Coefficients& c, std::size_t degree) { return powers(c, degree); });
 }
 
 RationalTaylor from_end(const RationalBezier& curve) {
-  return expand(curve, [](Coefficients c, std::size_t degree) { return powers_from_end(c, degree); });
+  return expand(curve, curve.end_origin, curve.end_numerator, powers_from_end);
 }
 
 }  // namespace leadscrew::geometry

@@ -61,8 +61,11 @@ struct RationalBezier {
   std::size_t degree = 0;
   std::size_t count = 0;  ///< slots
   bool rational = false;  ///< else W = 1
-  Point origin{};         ///< by slot
+  Point origin{};         ///< by slot: the span's first control point
   std::array<Coefficients, base::axis_count> numerator{};
+  /// The same about its last control point, which is exact where control points coincide there.
+  Point end_origin{};
+  std::array<Coefficients, base::axis_count> end_numerator{};
   Coefficients weight{};
   double parameter = 0;  ///< u = parameter + width·t
   double width = 0;
@@ -73,6 +76,8 @@ struct RationalTaylor {
   std::size_t degree = 0;
   std::size_t count = 0;
   bool rational = false;
+  Point
+      origin{};  ///< by slot: where C is at x = 0, to rounding. Near there C − origin is small, and so is what N/W loses
   std::array<Coefficients, base::axis_count> numerator{};
   Coefficients weight{};
 

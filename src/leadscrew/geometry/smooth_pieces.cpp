@@ -278,8 +278,8 @@ class NurbsAssembly {
     for (std::size_t k = 0; k < moving_.count; ++k) {
       const Coefficients numerator =
           piece.is_straight ? chord(taylor, k, piece) : shifted(taylor.numerator[k], piece.x_begin);
-      const double origin = curve.origin[k] + numerator[0] / weight[0];
-      const double moved = origin - curve.origin[k];
+      const double origin = taylor.origin[k] + numerator[0] / weight[0];
+      const double moved = origin - taylor.origin[k];
       out.push_back(origin);
       for (std::size_t i = 0; i <= taylor.degree; ++i) out.push_back((numerator[i] - moved * weight[i]) / weight[0]);
     }

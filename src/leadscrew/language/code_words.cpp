@@ -61,6 +61,7 @@ constexpr Row rows[] = {
     {Code::G87, Code::G87, 'I', "how far aside the tool goes in, along X", length},
     {Code::G87, Code::G87, 'J', "how far aside the tool goes in, along Y", length},
     {Code::G87, Code::G87, 'K', "level up to which it bores", length},
+    {Code::G87, Code::G87, 'Q', "how far aside the tool goes in, along X", length},
     {Code::G73, Code::G73, 'Q', "depth of a peck, above 0", length},
     {Code::G83, Code::G83, 'Q', "depth of a peck, above 0", length},
     {Code::G73, Code::G89, 'R', "level that the tool approaches at rapid", length},
