@@ -296,5 +296,23 @@ RC_GTEST_PROP(CompensatedContours, AreRefusedBeyondNeighboursWhereTheToolCuts, (
   RC_CLASSIFY(is_beyond, "beyond");
 }
 
+// What its end and its beginning cut by less than 0.01 mm, where a contour closes at an angle, is a warning; what the end
+// misses the beginning by is the rounding of programs.
+TEST(CompensatedContours, TellSlightCutsWhereTheyClose) {
+  const auto problems = [](const std::string& before, const std::string& last) {
+    return read("F600\nG0 X10 Y8\nG41.1 D10\nG1 X10 Y0\nX30 Y0\nY40\nX0\n" + before + "\n" + last +
+                "\nG40\nG1 X10 Y8\nM2\n")
+        .problems();
+  };
+  EXPECT_EQ(problems("Y0.6", "X10 Y0"), "9:1 cutter-gouge; ");
+  EXPECT_EQ(problems("Y2", "X10 Y0"), "9:1 cutter-gouge; ");
+  EXPECT_EQ(problems("Y0", "X10 Y0"), "");
+  EXPECT_EQ(problems("Y0.002", "X10 Y0"), "");
+  EXPECT_EQ(problems("Y0.001", "X10 Y0.001"), "");
+  const Reading slight =
+      read("F600\nG0 X10 Y8\nG41.1 D10\nG1 X10 Y0\nX30 Y0\nY40\nX0\nY0.6\nX10 Y0\nG40\nG1 X10 Y8\nM2\n");
+  EXPECT_EQ(slight.lines().size(), 8U);  // accepted
+}
+
 }  // namespace test_compensated_contours
 }  // namespace leadscrew::gcode

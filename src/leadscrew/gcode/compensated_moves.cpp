@@ -293,7 +293,9 @@ void CutterCompensation::search(const Kept& kept, const OffsetPiece& piece) {
 }
 
 void CutterCompensation::end_search() {
-  search_.end_run([this](const KeptPlace& one, const KeptPlace& two) { report_gouge(one, two); });
+  search_.end_run([this](const KeptPlace& one, const KeptPlace& two, GougeSearch::Depth depth) {
+    depth == GougeSearch::Depth::slight ? warn_of_slight_gouge(one, two) : report_gouge(one, two);
+  });
 }
 
 // From where the tool's middle is along the way of a piece.
@@ -336,6 +338,15 @@ std::string CutterCompensation::named(const KeptPlace& one, const KeptPlace& two
 void CutterCompensation::refuse_corner(const KeptPlace& one, const KeptPlace& two) {
   const AtKeptPlace there(reporter_, two);
   error("cutter-gouge", two.column, gouge_between(one, two), "a smaller tool, or a contour that it fits");
+}
+
+void CutterCompensation::warn_of_slight_gouge(const KeptPlace& one, const KeptPlace& two) {
+  const AtKeptPlace there(reporter_, two);
+  reporter_.warning("cutter-gouge", two.column,
+                    "the tool, of radius " + text(radius()) + " mm, cuts by up to 0.01 mm into the contour of line " +
+                        named(one, two) + " or line " + std::to_string(base::number(two.line)) +
+                        ", where the contour closes",
+                    "begin and end it along a straight piece");
 }
 
 void CutterCompensation::report_gouge(const KeptPlace& one, const KeptPlace& two) {

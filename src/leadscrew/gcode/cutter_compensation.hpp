@@ -103,6 +103,7 @@ class CutterCompensation : Part {
   void check_travel(const Kept& kept);
   void refuse_corner(const KeptPlace& one, const KeptPlace& two);
   void report_gouge(const KeptPlace& one, const KeptPlace& two);
+  void warn_of_slight_gouge(const KeptPlace& one, const KeptPlace& two);
   std::string gouge_between(const KeptPlace& one, const KeptPlace& two) const;
   std::string named(const KeptPlace& one, const KeptPlace& two) const;
   double radius() const;

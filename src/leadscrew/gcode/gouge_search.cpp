@@ -63,7 +63,7 @@ void GougeSearch::compare(const Entry& before, const Entry& entry, double radius
       continue;
     if (keeps_clear(way.piece, contour, radius)) continue;
     found_.push_back({way.number, cut->number, !keeps_clear(way.piece, contour, radius - closing),
-                      way.is_corner && way.number == 0, before.place, entry.place});
+                      way.is_corner && way.number == 0, way.piece, contour, radius, before.place, entry.place});
   }
 }
 
@@ -71,15 +71,21 @@ void GougeSearch::compare(const Entry& before, const Entry& entry, double radius
 void GougeSearch::look_for_end(const Entry& entry) {
   const ContourPiece& contour = entry.piece.contour;
   const PlaneBox reach = around(contour, closing);
+  double gap = 0;
   const auto passes = [&](const Entry& before) {
     if (before.is_corner || before.number >= entry.number) return false;
     const PlanePoint start = before.piece.contour.start;
-    if (before.number + 1 == entry.number) return span_of(start, contour.end) <= closing;
-    return overlap(reach, {start, start}) && distance(start, contour) <= closing;
+    if (before.number + 1 == entry.number) {
+      gap = span_of(start, contour.end);
+    } else {
+      gap = overlap(reach, {start, start}) ? distance(start, contour) : 2 * closing;
+    }
+    return gap <= closing;
   };
   if (contour.is_arc() && span_of(contour.start, contour.end) <= closing) {
     is_closed_ = true;
     closed_from_ = closed_to_ = entry.number;
+    gap_ = span_of(contour.start, contour.end);
     return;
   }
   for (const Group& group : groups_) {
@@ -89,6 +95,7 @@ void GougeSearch::look_for_end(const Entry& entry) {
       is_closed_ = true;
       closed_from_ = before.number;
       closed_to_ = entry.number;
+      gap_ = gap;
     }
   }
 }
@@ -135,12 +142,22 @@ bool GougeSearch::is_gouge(const Gouge& gouge) const {
   return gouge.is_deep || (is_inside && (low > closed_from_ || high < closed_to_));
 }
 
+/// Of those that are none: by more than the contour does not close, along what closes it?
+bool GougeSearch::is_slight(const Gouge& gouge) const {
+  if (!is_closed_ || gouge.is_deep) return false;
+  const std::size_t low = std::min(gouge.way, gouge.contour), high = std::max(gouge.way, gouge.contour);
+  constexpr double rounding = 2e-6;  // mm
+  return low >= closed_from_ && high <= closed_to_ &&
+         !keeps_clear(gouge.cutting, gouge.cut, gouge.radius - gap_ - rounding);
+}
+
 void GougeSearch::end_run(const Report& report) {
   std::optional<base::Line> told;
   for (const Gouge& gouge : found_) {
-    if (told == gouge.second.line || !is_gouge(gouge)) continue;
+    const bool is_whole = is_gouge(gouge);
+    if (told == gouge.second.line || (!is_whole && !is_slight(gouge))) continue;
     told = gouge.second.line;
-    report(gouge.first, gouge.second);
+    report(gouge.first, gouge.second, is_whole ? Depth::usual : Depth::slight);
   }
   forget();
 }

@@ -14,7 +14,8 @@
 // By a lead-in the tool comes to the contour across where it goes along later, by a lead-out it goes off: what they lead
 // along is no material. Where the contour closes, which is where a piece passes the start of one before it, only the
 // pieces between are material; where it does not, all but the first and the last. So what is found is told at the end of the run.
-// What leads in and off, or goes over the first of a contour again, may miss it by the rounding of programs.
+// What leads in and off, or goes over the first of a contour again, may miss it by the rounding of programs: where it cuts by
+// more than the contour's end misses its beginning, that is told as slight.
 //
 // Neighbours are looked at by who adds them, but beside an arc of more than half a turn, which may be a whole contour.
 
@@ -32,8 +33,9 @@ bool is_long_arc(const ContourPiece& contour);
 
 class GougeSearch {
  public:
-  /// Told of the two places, in the order of the program.
-  using Report = std::function<void(const KeptPlace&, const KeptPlace&)>;
+  /// Told of the two places, in the order of the program; slight: by 0.01 mm at most, where the contour closes.
+  enum class Depth : bool { usual, slight };
+  using Report = std::function<void(const KeptPlace&, const KeptPlace&, Depth)>;
 
   /// The next piece of the run with its way. radius: mm, > 0, the same all along a run.
   void add(const OffsetPiece& piece, double radius, const KeptPlace& place);
@@ -64,6 +66,9 @@ class GougeSearch {
     std::size_t contour = 0;    ///< of the piece that is cut into
     bool is_deep = false;       ///< by more than programs are rounded
     bool is_on_way_in = false;  ///< on the arc round the corner before the first piece
+    OffsetPiece cutting;        ///< the way
+    ContourPiece cut;           ///< into
+    double radius = 0;          ///< mm
     KeptPlace first;
     KeptPlace second;
   };
@@ -72,6 +77,7 @@ class GougeSearch {
   void compare(const Entry& before, const Entry& entry, double radius);
   void look_for_end(const Entry& entry);
   bool is_gouge(const Gouge& gouge) const;
+  bool is_slight(const Gouge& gouge) const;
 
   std::deque<Group> groups_;
   std::vector<Gouge> found_;
@@ -79,6 +85,7 @@ class GougeSearch {
   bool is_closed_ = false;
   std::size_t closed_from_ = 0;  // the pieces between which the contour closes
   std::size_t closed_to_ = 0;
+  double gap_ = 0;  // mm, there
 };
 
 }  // namespace leadscrew::gcode
