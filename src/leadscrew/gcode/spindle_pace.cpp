@@ -60,7 +60,7 @@ bool SpindlePace::goes_straight(const Block& block, const Line& line) {
 // A speed in whole revolutions per minute, and the feed that keeps the lead at it.
 std::string SpindlePace::at_most(const Line& line, double speed) const {
   const double whole = std::floor(speed);
-  const std::string most = "at most S" + text(whole);
+  std::string most = "at most S" + text(whole);
   if (!line.is_by_feed) return most;
   return most + " with F" + text(line.lead * whole / frame_.length_unit) + ", which is the same lead";
 }
