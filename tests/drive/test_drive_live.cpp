@@ -90,6 +90,18 @@ TEST(DriveLive, RestsBeforeTheFirstError) {
   EXPECT_LE(distance({rows.back().q[0]}, {20}), 1e-9);
 }
 
+TEST(DriveLive, ExecutesNoHalfLine) {
+  const Folder folder;
+  Running drive(folder, {"drive", "-", "--live", "--sink", "words.csv", "--json"}, open_input);
+  drive.write("G21 G90 F3000\nG1 X10\nG1 X2");  // of X20
+  drive.close_input();
+  const Outcome outcome = drive.wait();
+  EXPECT_EQ(outcome.status, 3) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors + outcome.output, "unfinished-line")) << outcome.errors;
+  const auto rows = rows_of(folder.read("words.csv"));
+  EXPECT_LE(distance({rows.back().q[0]}, {10}), 1e-9);
+}
+
 TEST(DriveLive, EndsWhenItIsInterruptedWhileItWaits) {
   const Folder folder;
   Running drive(folder, {"drive", "-", "--live", "--sink", "words.csv"}, open_input);

@@ -16,6 +16,12 @@ constexpr std::int64_t pause = 2'000'000;           // ns
 constexpr int longest_wait = 50;                    // ms, of a poll
 constexpr std::int64_t longest_kept = 500'000'000;  // ns, that lines wait for those that follow
 
+/// Half of a line is another line, of a writer that died: X1 of X10.
+base::Diagnostic unfinished_line() {
+  return base::problem("unfinished-line", "the program ends inside a line, which was not executed",
+                       "end every line with a line feed, the last, too");
+}
+
 }  // namespace
 
 LiveProgram::LiveProgram(const Setup& setup, std::string name)
@@ -62,7 +68,11 @@ gcode::ByteSource LiveProgram::source() {
   input_ = std::move(*opened);
   return [this](std::span<char> buffer) -> base::Result<std::size_t> {
     for (pollfd waits{input_.number(), POLLIN, 0}; !is_unwanted_.load(std::memory_order_relaxed);) {
-      if (::poll(&waits, 1, longest_wait) != 0) return files::read_some(input_.number(), buffer, name_);
+      if (::poll(&waits, 1, longest_wait) == 0) continue;
+      const auto count = files::read_some(input_.number(), buffer, name_);
+      if (count && *count == 0 && is_inside_line_) return base::failure(unfinished_line());
+      if (count && *count > 0) is_inside_line_ = buffer[*count - 1] != '\n';
+      return count;
     }
     return 0;
   };

@@ -1,7 +1,7 @@
 #pragma once
 // A program that is read while it moves, by a thread of its own, for it waits for whoever writes it: a pipe or a
 // socket. Nothing of it is checked before it comes. The first error ends it: motion rests where the last move
-// before it ends.
+// before it ends. A line is executed once its line feed has come.
 
 #include <atomic>
 #include <cstdint>
@@ -43,6 +43,7 @@ class LiveProgram {
   const std::string name_;
   realtime::LiveMoves moves_;
   files::Descriptor input_;       ///< the thread's, as the next
+  bool is_inside_line_ = false;   ///< what has come so far ends there
   std::int64_t kept_since_ = -1;  ///< ns: since when lines have waited for others
   std::atomic<std::int64_t> blocks_{0};
   std::atomic<bool> has_failed_{false}, is_unwanted_{false};

@@ -46,6 +46,8 @@ std::string example_of(Code code, Dialect dialect) {
       return "G52 X0";
     case Code::G92:
       return "G92 X0";
+    case Code::G96:
+      return "give S, in metres (G20: feet) a minute: G96 S120";
     case Code::G43_1:
       return "G43.1 Z10";
     default: {

@@ -145,10 +145,11 @@ class Mapper {
     const double k = std::max(begin.scale, end.scale);
     const double noise = 64 * epsilon * std::max({1.0, begin.condition, end.condition});  // rounding
     constexpr double peak = 0.85;  // of a rational curve's error, at the place that is looked at, at least
-    // Towards a singular end speed grows out of rest, v³ ~ s²: 100 times the step of q‴ is still none of jerk there.
+    // Towards a singular end s is of the size 1/k, and speed grows out of rest, v³ ≤ 9/2 j s²: nine times the step of q‴ is
+    // still less than a thousandth of jerk there.
     const bool is_near_singular =
         is_graded_ && std::max(begin.speed, end.speed) * std::abs(piece.x_begin) < whole_length_;
-    const double wider = is_near_singular ? 10 : 1;
+    const double wider = is_near_singular ? 3 : 1;
     const double allowed = peak * tolerance_.speed + noise,
                  allowed_first = wider * tolerance_.first * k + 10 * noise / h,
                  allowed_second = wider * wider * tolerance_.second * k * k + 100 * noise / (h * h);

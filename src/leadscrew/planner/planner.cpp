@@ -103,14 +103,6 @@ bool undoes(const base::Event& event, const base::Event& before) {
   return now == then && (!is_of_output || event.output == before.output);
 }
 
-/// So crowded polynomials lie only where a curve's parameter stands (coinciding control points, geometry/arc_length_map.hpp): up
-/// to the last of them third derivatives are rounding over what is left of the way, cubed, and motion can only creep through.
-constexpr double crowd_reach = 1e-6;  // units of path length
-bool are_crowded(const toolpath::AxisPath& axes, double from, double to) {
-  constexpr std::size_t crowd = 20;
-  return axes.nurbs() != nullptr && axes.borders(std::max(from, 0.0), std::min(to, axes.length())) > crowd;
-}
-
 /// From there on a hold would wait.
 bool begins_in_step(const base::Event& event) {
   AllowedOverrides behind;
@@ -264,8 +256,7 @@ bool Planner::take(const toolpath::Piece& piece) {
     const double square = std::min(
         constraints_.greatest_square({leaving, last_->greatest_speed(end, leaving), chords_of(*last_, end, leaving)}),
         squared(piece.greatest_speed(0, entering)));
-    const bool crowds = are_crowded(last_->axes(), end - crowd_reach, end) || are_crowded(piece.axes(), 0, crowd_reach);
-    if (last_->stop || crowds || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
+    if (last_->stop || !runs_through(leaving, entering, std::sqrt(square), machine_)) {
       look_ahead_.close();
       return false;
     }

@@ -117,7 +117,7 @@ inline constexpr double least_reach = 0.25;  // s
 /// Intervals times axes that move: so long does a window take to plan.
 inline constexpr std::size_t rows_of_a_window = 900;
 /// More: a greater part of each window is committed, two fifths of it where it reaches no farther than stops do.
-inline constexpr std::size_t least_intervals = 200, greatest_intervals = 300;
+inline constexpr std::size_t least_intervals = 180, greatest_intervals = 300;
 inline constexpr double few_share = 0.6;           // of the intervals that a window may have
 inline constexpr std::size_t least_to_change = 8;  // intervals left of a window for a change of speed to begin in it
 inline constexpr std::size_t most_pieces = 900;
