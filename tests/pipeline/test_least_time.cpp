@@ -24,7 +24,7 @@ machine::Machine mill_of_least_time() {
   return machine;
 }
 
-/// Lines and arcs of 0.01 to 50 mm that turn anyhow, some of them in space, some rapids; feeds and tolerances change.
+/// Lines, arcs and curves of 0.01 to 50 mm that turn anyhow, some of them in space, some rapids; feeds and tolerances change.
 std::string random_program() {
   const bool in_space = any(0, 3) == 0, changes = any(0, 4) == 0;
   const double usual = logarithmic(0.02, 20), tolerance = logarithmic(1e-3, 0.3);
@@ -33,7 +33,15 @@ std::string random_program() {
   for (int k = any(2, 24); k > 0; --k) {
     const double length = usual * logarithmic(0.3, 3);
     if (changes && any(0, 5) == 0) text += "G64" + word('P', tolerance * logarithmic(0.1, 2), 6) + '\n';
-    if (any(0, 6) == 0) {
+    if (any(0, 10) == 0) {
+      text += "G5.2";
+      for (int point = any(2, 6); point > 0; --point) {
+        x += length * any(-1000, 1001) / 1000.0;
+        y += length * any(-1000, 1001) / 1000.0;
+        text += word('X', x, 6) + word('Y', y, 6) + word('P', logarithmic(0.5, 2), 3) + '\n';
+      }
+      text += "G5.3\nG1";
+    } else if (any(0, 6) == 0) {
       // A quarter of a circle, tangent or not.
       const double side = any(0, 2) == 0 ? 1 : -1;
       const double cx = -side * length * std::sin(heading), cy = side * length * std::cos(heading);
@@ -63,6 +71,78 @@ RC_GTEST_PROP(LeastTime, KeepsEveryPromiseAndIsNoSlowerThanWithStops, ()) {
   const Outcome outcome = run_on(mill_of_least_time(), text), stopping = run_with_stops(text);
   RC_ASSERT(keeps_promises(outcome));
   RC_ASSERT(outcome.summary.time_s <= stopping.summary.time_s + 0.001);
+}
+
+RC_GTEST_PROP(LeastTime, KeepsEveryPromiseOnOtherMachines, ()) {
+  machine::Machine machine = mill_of_least_time();
+  const double velocity = logarithmic(50, 300), acceleration = logarithmic(200, 5000), jerk = logarithmic(1e4, 1e6);
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+    machine::AxisLimits& limits = *machine.axes[base::index(axis)];
+    limits.velocity = velocity * logarithmic(0.5, 2);
+    limits.acceleration = acceleration * logarithmic(0.5, 2);
+    limits.jerk = jerk * logarithmic(0.5, 2);
+  }
+  machine.period = {any(1, 11) * 100'000};
+  const std::string text = random_program();
+  RC_LOG() << text;
+  gcode::ReaderOptions with_stops;
+  with_stops.path_mode = gcode::PathMode::exact_stop;
+  const Outcome outcome = run_on(machine, text), stopping = run_on(machine, text, with_stops);
+  RC_ASSERT(keeps_promises(outcome));
+  RC_ASSERT(outcome.summary.time_s <= 1.001 * stopping.summary.time_s + 0.001);
+}
+
+machine::Machine of_limits(double velocity, double acceleration, double jerk) {
+  machine::Machine machine = mill_of_least_time();
+  for (const base::Axis axis : {base::Axis::X, base::Axis::Y, base::Axis::Z}) {
+    machine::AxisLimits& limits = *machine.axes[base::index(axis)];
+    limits.velocity = velocity, limits.acceleration = acceleration, limits.jerk = jerk;
+  }
+  return machine;
+}
+
+/// Where a motion ended at a chord of a curve and the rest of the curve stayed exact, that began elsewhere: by lengths of
+/// chords, not of the curve.
+TEST(LeastTime, GoesOnWhereItCameToWithinACurve) {
+  machine::Machine machine = of_limits(110, 300, 500'000);
+  for (const std::int64_t period : {100'000, 1'000'000}) {
+    machine.period = {period};
+    for (const char* const tolerance : {"G64 P0.001", "G64 P0.01", "G64 P0.05"}) {
+      const std::string text = std::string("G21 G90 G17 G94\nG61\nG1 X2.7 Y-5.6 F175.7\n") + tolerance +
+                               "\nG5.2 X10.9 Y-27.2 P1.4\nX21.6 Y-20.6 P0.5\nG5.3\nM2\n";
+      EXPECT_TRUE(keeps_promises(run_on(machine, text))) << tolerance;
+    }
+  }
+}
+
+/// A line that is short for the speed that it is travelled at, as a spline of thousands of spans, was crept along: of so many
+/// a window sees no farther than some hundred.
+TEST(LeastTime, IsNoSlowerThanWithStopsWhereATinyCornerFollowsALine) {
+  gcode::ReaderOptions with_stops;
+  with_stops.path_mode = gcode::PathMode::exact_stop;
+  for (const double jerk : {2e4, 2e5, 6.7e5}) {
+    const machine::Machine machine = of_limits(87.5, 200, jerk);
+    for (const char* const tolerance : {"G64 P0.0002", "G64 P0.0008", "G64 P0.01"}) {
+      const std::string text = std::string("G21 G90 G17 G94\n") + tolerance + "\nG0 X75.8\nG1 Y0.03 F3600\nM2\n";
+      const Outcome outcome = run_on(machine, text);
+      EXPECT_TRUE(keeps_promises(outcome)) << tolerance;
+      EXPECT_LE(outcome.summary.time_s, run_on(machine, text, with_stops).summary.time_s) << tolerance << ' ' << jerk;
+    }
+  }
+}
+
+/// Intervals as short as a corner asks were a hundred thousand along a curve at a low feed, and planning took longer than
+/// motion.
+TEST(LeastTime, PlansALowFeedBehindAHighOne) {
+  machine::Machine machine = of_limits(35, 280, 70'000);
+  const std::string text =
+      "G21 G90 G17 G94\nG1 X0 F6485.61\nG64 P1.027503\nG2 X0.146882495 Y0.674402108 I-0.758137543 J0.518316097 P3 "
+      "F75.7832\nG1 X29.930009403 Y-0.718329260\nG5.2 X46.399176818 Y38.959551083 P2.34104 L4\n"
+      "X18.421105752 Y10.715766260 P1.90734\nX21.870102786 Y25.945316020 P2.08294\nX44.712249610 Y37.789054363 "
+      "P1.18547\nX45.269557175 Y57.780868541 P2.27911\nX22.164046472 Y86.109365906 P0.837794\nG5.3\n"
+      "G1 X22.164064640 Y86.109377676 F33965.2\nG0 Y89.226884874\nM2\n";
+  machine.period = {2'000'000};
+  EXPECT_TRUE(keeps_promises(run_on(machine, text)));
 }
 
 /// Found by the property above: where a window began in motion with another interval than that of its given points, it

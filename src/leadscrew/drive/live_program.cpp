@@ -69,7 +69,7 @@ gcode::ByteSource LiveProgram::source() {
   return [this](std::span<char> buffer) -> base::Result<std::size_t> {
     for (pollfd waits{input_.number(), POLLIN, 0}; !is_unwanted_.load(std::memory_order_relaxed);) {
       if (::poll(&waits, 1, longest_wait) == 0) continue;
-      const auto count = files::read_some(input_.number(), buffer, name_);
+      auto count = files::read_some(input_.number(), buffer, name_);
       if (count && *count == 0 && is_inside_line_) return base::failure(unfinished_line());
       if (count && *count > 0) is_inside_line_ = buffer[*count - 1] != '\n';
       return count;

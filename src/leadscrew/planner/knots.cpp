@@ -86,10 +86,27 @@ class Placement {
     for (std::size_t p = section_.piece_at(range_.begin, Side::right); p < section_.size(); ++p) {
       if (section_.offset(p) >= end) break;
       const toolpath::Piece& piece = section_.piece(p);
-      for (const double s : piece.axes().breaks()) add(section_.offset(p) + s);
+      for (const double s : piece.axes().breaks()) {
+        const double at = section_.offset(p) + s;
+        if (at > range_.begin && at < end && is_noticed(piece, s)) breaks_.push_back(at);
+      }
       if (p + 1 < section_.size() && jumps(p)) add(section_.offset(p + 1));
     }
     breaks_.push_back(end);
+  }
+
+  /// Whether q‴ steps by more than jerk notices, as fast as motion may be there. Of a path of least time that is smooth for long,
+  /// every knot is a break: with knots of x at each, a window would not reach as far as it takes to stop.
+  bool is_noticed(const toolpath::Piece& piece, double s) const {
+    const SeenPlace left = seen_place(piece, s, Side::left), right = seen_place(piece, s, Side::right);
+    const double square = constraints_.greatest_square(left.at_feed(range_.feed_factor));
+    const double cube = square * std::sqrt(square);
+    for (const base::Axis axis : base::all_axes) {
+      const std::size_t i = base::index(axis);
+      const double step = std::abs(right.jet[i].third - left.jet[i].third);
+      if (step > 0 && step * cube > noticed_step * constraints_.of_axis(axis).jerk) return true;
+    }
+    return false;
   }
 
   bool jumps(std::size_t p) const {
@@ -320,7 +337,8 @@ class Placement {
     double longest = 0;
     for (const Sample& sample : samples_)
       longest = std::max(longest, per_ramp * ramp_width(sample, sample.greatest, per_ramp));
-    const double margin = std::min(unknown_margin * longest, 0.1 * length());
+    // Nothing is unknown where motion is to rest.
+    const double margin = range_.ends_at_rest ? 0 : std::min(unknown_margin * longest, 0.1 * length());
     if (knots_.s.size() < knots_beyond + 3) return;  // too little to go on with
     const std::size_t least = kept_ > knots_beyond + 1 ? kept_ - 1 : 1;
     std::size_t last = std::min(knots_.s.size() - 1 - knots_beyond, std::max(most(), least));

@@ -20,6 +20,7 @@ inline constexpr double slow_tangent = 0.02;   // of the tangent acceleration th
 inline constexpr double change_of_knot = 0.1;  // of x between knots there
 inline constexpr double grading = 0.25;        // |dh/ds|
 inline constexpr double ramp_grading = 0.25;   // h over distance from rest
+inline constexpr double noticed_step = 0.002;  // of the limit of jerk, at a break of q‴
 inline constexpr double merged_breaks = 1e-5;  // of the width around them
 inline constexpr int deepest = 40;             // bisections
 /// Polynomials of a curve between samples; where there are more, a bend may lie between them.

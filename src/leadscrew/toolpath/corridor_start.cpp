@@ -159,12 +159,21 @@ class Start {
 }  // namespace
 
 template <std::size_t D>
+double seconds_by_feed(const Corridor<D>& corridor) {
+  double seconds = 0;
+  for (const CorridorLeg<D>& leg : corridor.legs)
+    seconds += leg.length / std::min(leg.feed, least_of(corridor.limits.velocity));
+  return seconds;
+}
+
+template <std::size_t D>
 double suitable_interval(const Corridor<D>& corridor) {
   double margin = unlimited;
   for (const CorridorLeg<D>& leg : corridor.legs) margin = std::min(margin, leg.margin);
   const auto greatest = [](const Vector<D>& a) { return *std::max_element(a.begin(), a.end()); };
   const CorridorLimits<D>& limits = corridor.limits;
-  return std::min(interval_of_corner * numeric::cbrt(margin / greatest(limits.jerk)),
+  return std::min(std::max(interval_of_corner * numeric::cbrt(margin / greatest(limits.jerk)),
+                           seconds_by_feed(corridor) / many_intervals),
                   std::sqrt(interval_bulge * 32 * margin / greatest(limits.acceleration)));
 }
 
@@ -173,6 +182,7 @@ TimeSpline<D> start_motion(const Corridor<D>& corridor, double interval, const C
   return Start<D>(corridor, interval, ends).make();
 }
 
+template double seconds_by_feed<3>(const Corridor<3>&);
 template double suitable_interval<2>(const Corridor<2>&);
 template double suitable_interval<3>(const Corridor<3>&);
 template TimeSpline<2> start_motion<2>(const Corridor<2>&, double, const CorridorEnds<2>&);

@@ -7,8 +7,12 @@
 
 namespace leadscrew::toolpath {
 
-/// The interval, s, that suits a corridor: short beside what a corner takes, (P/j)^(1/3) times a constant, and so short
-/// that motion leaves its margin P only by little between the places looked at, a h²/32 a half interval apart.
+/// What the legs take at their feeds and the greatest speed of the slowest axis, s.
+template <std::size_t D>
+double seconds_by_feed(const Corridor<D>& corridor);
+
+/// The interval, s, that suits a corridor: short beside what a corner takes, (P/j)^(1/3) times a constant, or a small part of
+/// what the legs take at their feeds, if that is more; and so short that motion leaves its margin P only by little between the places looked at, a h²/32 a half interval apart.
 template <std::size_t D>
 double suitable_interval(const Corridor<D>& corridor);
 

@@ -36,13 +36,20 @@ double margin_of(const Leg& leg) {
   return margin_about(leg, corridor_share);
 }
 
+/// A part of a leg in the corridor, and how much of the leg's own length that is.
+struct LegPart {
+  CorridorLeg<3> leg;
+  double length = 0;
+  bool is_exact = true;  ///< else a chord, which meets the leg at its ends only
+};
+
 /// As a corridor: a line, an arc in a plane in parts of at most half a turn, anything else by chords.
-std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
+std::vector<LegPart> corridor_of(const Leg& leg) {
   const geometry::Curve& curve = leg.curve;
   const double length = geometry::length(curve);
   const auto at = [&](double s) { return place_of(geometry::evaluate(curve, s)); };
-  std::vector<CorridorLeg<3>> legs;
-  if (is_line(curve)) return {line_leg<3>(at(0), at(length), margin_of(leg), leg.feed)};
+  std::vector<LegPart> legs;
+  if (is_line(curve)) return {{line_leg<3>(at(0), at(length), margin_of(leg), leg.feed), length}};
   const auto* const arc = std::get_if<geometry::Arc>(&curve);
   // About a center nearer than that the nearest place of an arc says little of where motion is on it.
   constexpr double far_from_center = 4;  // margins
@@ -55,14 +62,15 @@ std::vector<CorridorLeg<3>> corridor_of(const Leg& leg) {
     const double sweep = arc->angle_rate() * length,
                  parts = std::ceil(std::abs(sweep) / (std::numbers::pi * (1 + 1e-9)));
     for (double k = 0; k < parts; ++k) {
-      legs.push_back(arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
-                                center, sweep / parts, margin_of(leg) + sagitta(leg), leg.feed));
+      legs.push_back({arc_leg<3>(at(length * k / parts), at(length * (k + 1) / parts), arc->first(), arc->second(),
+                                 center, sweep / parts, margin_of(leg) + sagitta(leg), leg.feed),
+                      length / parts});
     }
     return legs;
   }
   for (double s = 0; s < length;) {
     const double next = chord_end(curve, s, length, sagitta(leg), leg.space);
-    legs.push_back(line_leg<3>(at(s), at(next), margin_of(leg), leg.feed));
+    legs.push_back({line_leg<3>(at(s), at(next), margin_of(leg), leg.feed), next - s, false});
     s = next;
   }
   return legs;
@@ -106,16 +114,15 @@ std::optional<Piece> RacingLine::pop() {
 void RacingLine::take(Leg leg) {
   others_ = geometry::start(leg.curve);
   if (borders_.empty()) borders_.push_back(0);
-  const std::vector<CorridorLeg<3>> parts = corridor_of(leg);
-  const double most = speed_along(parts.front());
+  const std::vector<LegPart> parts = corridor_of(leg);
+  const double most = speed_along(parts.front().leg);
   for (EventMark& mark : leg.events) events_.push_back({borders_.back() + mark.s, std::move(mark.event)});
   leg.events.clear();
   sources_.push_back({borders_.back(), std::make_shared<const Leg>(std::move(leg))});
-  double along = 0;
-  for (const CorridorLeg<3>& part : parts) along += part.length;
-  const double longer = geometry::length(sources_.back().leg->curve) / along;
-  for (const CorridorLeg<3>& part : parts) {
-    if (!merge(part, longer * part.length, most)) append(part, longer * part.length);
+  for (const LegPart& part : parts) {
+    if (merge(part.leg, part.length, most)) continue;
+    append(part.leg, part.length);
+    is_exact_.back() = part.is_exact;
   }
   advance(false);
 }
@@ -124,6 +131,7 @@ void RacingLine::append(const CorridorLeg<3>& leg, double length) {
   merged_.clear();
   merged_margin_ = leg.margin;
   legs_.push_back(leg);
+  is_exact_.push_back(true);
   borders_.push_back(borders_.back() + length);
   fastest_ = std::max(fastest_, speed_along(leg));
   // Of the leg before it is known now.
@@ -154,6 +162,7 @@ bool RacingLine::merge(const CorridorLeg<3>& line, double length, double speed) 
   one.margin = merged_margin_ - off;
   merged_.push_back(line.from);
   legs_.back() = one;
+  is_exact_.back() = false;
   borders_.back() += length;
   return true;
 }
@@ -176,8 +185,9 @@ double RacingLine::reach_of(const CorridorLeg<3>& leg) const {
   return std::max(speed * seconds, reach_in_margins * leg.margin);
 }
 
-/// So long that its middle stays what it is.
+/// So long that its middle stays what it is, where it is what was programmed: beside a chord motion would begin anew.
 bool RacingLine::is_long(std::size_t leg) const {
+  if (!is_exact_[leg]) return false;
   const double begun = leg == 0 && is_moving_ ? begin_ : 0;
   return legs_[leg].length - begun > reaches_of_long * reach_of(legs_[leg]);
 }
@@ -249,7 +259,9 @@ std::optional<RacingLine::Plan> RacingLine::plan(const Window& window) {
   // Where motion goes on, its interval should come out as the one that its control points there were made for: those on legs
   // are made for the one that came out; those of an earlier plan are what they are.
   const bool is_on_legs = !is_moving_ || begins_on_leg_;
-  double wanted = is_moving_ ? given_interval_ : suitable_interval(corridor), begun_with = wanted / interval_ratio_;
+  double wanted = is_on_legs ? suitable_interval(corridor) : given_interval_, begun_with = wanted / interval_ratio_;
+  // At a low feed, behind a plan that was made for a high one, from rest instead.
+  if (!is_on_legs && seconds_by_feed(corridor) > most_intervals_of_window * wanted) return std::nullopt;
   std::optional<Plan> found;
   for (int k = 0; k < (goes_on && is_on_legs ? most_intervals_on_legs : most_intervals); ++k) {
     CorridorEnds<3> ends{is_moving_ ? begin_ : 0, window.finish, given_, {}};
@@ -304,21 +316,6 @@ void RacingLine::advance(bool all) {
       retreat(*window);
     }
   }
-}
-
-/// Up to where the corner at its end has an influence, a long leg is what it is.
-bool RacingLine::emit_long_start() {
-  if (rest_ || !is_long(0)) return false;
-  const double length = legs_[0].length, until = length - reach_of(legs_[0]);
-  const double per_length = (borders_[1] - borders_[0]) / length;
-  emit_exact(borders_[0] + (is_moving_ ? begin_ : 0) * per_length, borders_[0] + until * per_length);
-  is_moving_ = true;
-  begin_ = until;
-  const Corridor<3> one{{legs_[0]}, limits_};
-  given_interval_ = suitable_interval(one);
-  given_ = points_at(legs_[0], until, given_interval_);
-  begins_on_leg_ = true;
-  return true;
 }
 
 void RacingLine::accept(Plan plan, const Window& window) {
@@ -383,6 +380,7 @@ void RacingLine::drop_before(std::size_t leg) {
   if (leg > 0) clock_begin_ = clock_[leg - 1];
   clock_.erase(clock_.begin(), clock_.begin() + count);
   legs_.erase(legs_.begin(), legs_.begin() + count);
+  is_exact_.erase(is_exact_.begin(), is_exact_.begin() + count);
   borders_.erase(borders_.begin(), borders_.begin() + count);
   while (sources_.size() > 1 && sources_[1].u <= borders_.front()) sources_.pop_front();
 }

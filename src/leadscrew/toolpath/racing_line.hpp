@@ -65,6 +65,10 @@ class RacingLine {
     std::size_t count = 0;  ///< of legs
   };
 
+  struct KnotRange {
+    std::size_t first = 0, last = 0;
+  };
+
   void take(Leg leg);
   void append(const CorridorLeg<3>& leg, double length);
   bool merge(const CorridorLeg<3>& line, double length, double speed);
@@ -85,6 +89,7 @@ class RacingLine {
   void retreat(const Window& window);
   void emit(const Plan& plan, std::size_t from, std::size_t to);
   void emit_exact(double from, double to);
+  std::vector<KnotRange> lines_of(const Plan& plan) const;
   double time_at(const Plan& plan, double u) const;
   void drop_before(std::size_t leg);
   void give(Piece piece);
@@ -93,6 +98,7 @@ class RacingLine {
   machine::Derivatives least_;  ///< of the slowest axes
   Reduction reduction_;
   std::deque<CorridorLeg<3>> legs_;  ///< that are not done
+  std::deque<bool> is_exact_;        ///< is each all along what was programmed, and not only at its ends?
   std::deque<double> borders_;       ///< u where they begin, and where the last one ends
   std::deque<double> clock_;         ///< about when they end, s; not known of the last
   double clock_begin_ = 0;           ///< and when the first begins

@@ -88,6 +88,9 @@ namespace corridor {
 /// Of (P/j)^(1/3), and of P that motion may bulge between the places looked at. Longer intervals: less work. Shorter:
 /// nearer to the least time.
 inline constexpr double interval_of_corner = 0.5, interval_bulge = 0.05;
+/// Of a window: at a low feed its time is that of its ways, and corners between them, which are not rounded as finely, cost
+/// no more than an interval each.
+inline constexpr double many_intervals = 3000, most_intervals_of_window = 12'000;
 /// Of the tolerance, what a motion is proven to keep: the rest is for the rounding of words. Of that, what is planned in:
 /// the rest is for the bulge. Where it is too little, less of it by what was reached.
 inline constexpr double corridor_share = 0.988, planned_share = 0.992, less_than_reached = 0.995;
