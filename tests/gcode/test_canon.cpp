@@ -57,6 +57,37 @@ TEST(Canon, TheSameNumberIsAnotherFeedInAnotherUnit) {
             "PROGRAM_END()\n");
 }
 
+// The arc round the corner of two arcs that are nearly tangent is of less than a micrometre.
+TEST(Canon, ShortArcsAreNoCircles) {
+  const std::string text = calls(
+      "G21 F564\nG42.1 D-10\nG1 X45.3655 Y98.3126\nG2 X28.659 Y31.7078 I-14.639530177 J-31.725610643\n"
+      "G3 X8.3071 Y16.1509 I-1.159959279 J-19.573379681\nG40\nG1 X37.762 Y-0.566\nM2\n");
+  const std::string end = "ARC_FEED(28.3632, 26.7166, ";
+  const std::size_t at = text.find(end);
+  ASSERT_NE(at, std::string::npos) << text;
+  EXPECT_EQ(text.find(end, at + 1), std::string::npos) << text;
+  EXPECT_NE(text.find("ARC_FEED(13.2011, 15.1267, ", at), std::string::npos) << text;
+}
+
+// Circles end where they begin, and so, in four decimals, do arcs of all but a full turn.
+TEST(Canon, CirclesAreTold) {
+  const auto arcs = [](const std::string& program) {
+    const std::string text = calls("G21 G61 F100\n" + program + "M2\n");
+    std::string found;
+    for (std::size_t at = text.find("ARC_FEED"); at != std::string::npos; at = text.find("ARC_FEED", at + 1))
+      found += text.substr(at, text.find('\n', at) + 1 - at);
+    return found;
+  };
+  const std::string circle = "ARC_FEED(0.0000, 0.0000, 10.0000, 0.0000, 1, 0.0000, 0.0000, 0.0000, 0.0000)\n";
+  EXPECT_EQ(arcs("G3 X0 I10\n"), circle);
+  EXPECT_EQ(arcs("G3 X0 Y0.00003 I10\n"), circle);
+  EXPECT_EQ(arcs("G3 X0 Y-0.00003 I10\n"), "");
+  EXPECT_EQ(arcs("G3 X0 Y-0.0004 I10\n"),
+            "ARC_FEED(0.0000, -0.0004, 10.0000, -0.0002, 1, 0.0000, 0.0000, 0.0000, 0.0000)\n");
+  EXPECT_EQ(arcs("G3 X0 Y-0.00003 Z1 I10\n"),
+            "ARC_FEED(0.0000, 0.0000, 10.0000, 0.0000, 1, 1.0000, 0.0000, 0.0000, 0.0000)\n");
+}
+
 TEST(Canon, LinesStandInCoordinatesOfTheProgram) {
   EXPECT_EQ(calls("G21 G61\nG10 L2 P1 X1 Y2 Z3 R30\nG0 X4 Y1\nG92 X5\nG43.1 Z3\nG1 X4 A3 F300\nM2\n"),
             "SET_G5X_OFFSET(1, 1.0000, 2.0000, 3.0000, 0.0000, 0.0000, 0.0000)\n"

@@ -10,7 +10,7 @@ namespace leadscrew::gcode {
 namespace {
 
 constexpr double seconds_in_minute = 60;
-constexpr std::size_t first_rotary = base::index(base::Axis::A), first_uvw = base::index(base::Axis::U);
+constexpr std::size_t first_uvw = base::index(base::Axis::U);
 
 double length_of(const base::AxisVector& from, const base::AxisVector& to, std::size_t first) {
   return numeric::hypot(to[first] - from[first], to[first + 1] - from[first + 1], to[first + 2] - from[first + 2]);
@@ -226,23 +226,6 @@ void CanonWriter::write_feed(const Move& move, std::string& text) {
   text += ")\n";
 }
 
-void CanonWriter::write_arc(const Move& move, const Frame& frame, std::string& text) {
-  const std::size_t first = base::index(first_axis(move.plane)), second = base::index(second_axis(move.plane));
-  const base::AxisVector end = frame.to_program(move.end);
-  base::AxisVector center = move.end;
-  center[first] = move.center_first;
-  center[second] = move.center_second;
-  center = frame.to_program(center);
-  call("ARC_FEED(", text);
-  for (const double value : {end[first], end[second], center[first], center[second]}) {
-    number(value / printed_.unit, text);
-  }
-  text += ", " + std::to_string(move.turns);
-  axes(end, base::index(normal_axis(move.plane)), 1, text);
-  axes(end, first_rotary, has_uvw_ ? base::axis_count - first_rotary : first_uvw - first_rotary, text);
-  text += ")\n";
-}
-
 void CanonWriter::write_event(const base::Event& event, std::string& text) {
   using Kind = base::Event::Kind;
   if (const std::string_view whole = plain_call(event.kind); !whole.empty()) {
@@ -375,6 +358,7 @@ void CanonWriter::write(const Move& move, const Frame& frame, int system, const 
     return;
   }
   write_frame(frame, system, text);
+  if (move.kind == Move::Kind::arc && is_untold(move, frame)) return;
   write_path(move, text);
   if (move.feed.mode != Feed::Mode::rapid) write_feed(move, text);
   switch (move.kind) {

@@ -57,6 +57,7 @@ class CanonWriter {
   void write_feed(const Move& move, std::string& text);
   void write_feed_mode(bool per_revolution, std::string& text);
   void write_spindle_mode(const ModalState& modal, bool may_tell_speed, std::string& text);
+  bool is_untold(const Move& move, const Frame& frame);
   void write_arc(const Move& move, const Frame& frame, std::string& text);
   void write_event(const base::Event& event, std::string& text);
   void write_function(const base::Event& event, std::string& text);
