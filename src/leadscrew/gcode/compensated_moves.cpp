@@ -97,6 +97,12 @@ void CutterCompensation::add(const Move& move) {
   follow(std::move(kept));
 }
 
+void CutterCompensation::add(const Move& move, const KeptPlace& place) {
+  const AtKeptPlace there(reporter_, place);
+  column_ = place.column;
+  add(move);
+}
+
 void CutterCompensation::decide(Kept kept) {
   kept_.push_back(std::move(kept));
   decided_ = kept_.size();

@@ -7,8 +7,10 @@
 namespace leadscrew::gcode {
 
 bool CutterCompensation::refuse(Code code, std::uint32_t column) {
+  const bool is_roughing = Code::G71_profile <= code && code <= Code::G73_profile;
   return error("cutter-compensation", column, name(code) + " while cutter compensation is on",
-               "G40 in a block before it");
+               is_roughing ? "G40 in a block before it; G42 in the first block of the contour holds for G70"
+                           : "G40 in a block before it");
 }
 
 // LinuxCNC's list, 2.9; but outside its dialect, what moves carry along is changed at their place.
@@ -46,6 +48,7 @@ bool CutterCompensation::allows_nonmodal(const Block& block) const {
     case Code::none:
     case Code::G4:
     case Code::G9:
+    case Code::G70_profile:
     case Code::G103:
     case Code::G187:
     case Code::G5_high_speed:

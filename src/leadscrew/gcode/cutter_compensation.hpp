@@ -52,6 +52,8 @@ class CutterCompensation : Part {
 
   /// A move as programmed, of the block checked last. Errors: `cutter-entry`, `cutter-exit`, `cutter-gouge`, `travel`.
   void add(const Move& move);
+  /// Likewise, of a block read before.
+  void add(const Move& move, const KeptPlace& place);
   /// The next move of the tool's middle; false where there is none yet.
   bool take(Move& move);
   /// The place of the move taken last, if it is of this line.

@@ -82,8 +82,20 @@ bool Interpreter::is_plain() const {
 
 void Interpreter::end_contour() {
   outbox_.clear();
-  lathe_cycles_.is_open() ? lathe_cycles_.end() : pocket_cycle_.end();
+  lathe_cycles_.is_open() ? end_lathe_contour() : pocket_cycle_.end();
   modal_.is_plain = is_plain();
+}
+
+// Compensation with which the contour begins is on before the cycle is planned: travel is then that of the tool's middle.
+void Interpreter::end_lathe_contour() {
+  const bool is_compensated = lathe_cycles_.compensation().has_value();
+  if (is_compensated) {
+    const LatheCycles::Compensation& compensation = *lathe_cycles_.compensation();
+    const AtKeptPlace there(reporter_, compensation.place);
+    compensation_.set(compensation.block);
+  }
+  lathe_cycles_.end();
+  if (is_compensated && !lathe_cycles_.will_end_compensation()) compensation_.end();
 }
 
 void Interpreter::execute_in_axes(const Block& block) {
@@ -255,8 +267,18 @@ bool Interpreter::next_with_vectors(Move& move) {
 // A move of the tool's middle is known where the motion behind it is.
 bool Interpreter::next_compensated(Move& move) {
   while (!compensation_.take(move)) {
+    if (lathe_cycles_.ends_compensation()) {
+      // G40 in a contour waits like any other until all before it has been handed out.
+      if (compensation_.keeps_back()) {
+        compensation_.settle();
+        continue;
+      }
+      lathe_cycles_.compensation_has_ended();
+      compensation_.end();
+    }
     if (!next_uncompensated(move)) return false;
-    compensation_.add(move);
+    const KeptPlace* const place = lathe_cycles_.place_of(move);
+    place ? compensation_.add(move, *place) : compensation_.add(move);
   }
   return true;
 }

@@ -57,8 +57,10 @@ class Interpreter : Part {
   bool keeps_back() const { return vectors_.is_open(); }
   /// Whether the block waits until all that is kept back, here or by cutter compensation, has been handed out.
   bool waits(const Block& block) const {
+    const bool is_of_contour = lathe_cycles_.is_open();  // and executed when that ends
     return (vectors_.any() && !vectors_.goes_on(block)) ||
-           (compensation_.keeps_back() && (block.has(Group::cutter_radius) || saved_modes_.ends_compensation(block)));
+           (compensation_.keeps_back() && !is_of_contour &&
+            (block.has(Group::cutter_radius) || saved_modes_.ends_compensation(block)));
   }
   /// Whether modes that M73 has kept come back before the next line is read: a call has ended.
   bool leaves_calls() const { return saved_modes_.leaves_calls(); }
@@ -125,6 +127,7 @@ class Interpreter : Part {
   [[gnu::noinline]] bool next_with_vectors(Move& move);
   bool next_uncompensated(Move& move);
   [[gnu::noinline]] bool next_compensated(Move& move);
+  void end_lathe_contour();
 
   Outbox outbox_;
   MachineEvents events_;

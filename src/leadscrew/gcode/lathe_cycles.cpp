@@ -146,10 +146,13 @@ void LatheCycles::add_corner(const Block& block) {
 }
 
 void LatheCycles::add(const Block& block) {
-  tell_idle_in_contour(block, bit(Group::motion) | (is_profile() ? bit(Group::feed_mode) : 0));
+  const std::uint32_t of_profile = bit(Group::feed_mode) | bit(Group::cutter_radius);
+  tell_idle_in_contour(block, bit(Group::motion) | (is_profile() ? of_profile : 0));
   if (block.has(Group::motion)) motion_code_ = block.code(Group::motion);
   const PlanePoint target = target_of(block);
-  if (target.first == position_.first && target.second == position_.second) return;
+  const bool moves = target.first != position_.first || target.second != position_.second;
+  if (block_.is(Code::G70_profile)) note_compensation(block, moves);
+  if (!moves) return;
   if (motion_code_ > Code::G3) {
     error("bad-contour", motion_column(block), "a contour moves by " + name(motion_code_), "G0, G1, G2 and G3");
     return;
@@ -181,7 +184,7 @@ void LatheCycles::end() {
   const std::vector<LatheMove> moves = is_profile() ? plan_profile() : plan();
   next_ = 0;
   if (is_profile()) {
-    if (!place(moves)) moves_.clear();
+    if (!place_profile(moves)) moves_.clear(), compensated_ = all;
     return;
   }
   // The motion in force behind a cycle is that of its last move (LinuxCNC).
@@ -362,6 +365,7 @@ void LatheCycles::abandon() {
   }
   moves_.clear();
   next_ = 0;
+  compensated_ = all;
   is_open_ = modal_.in_profile = false;
 }
 

@@ -6,6 +6,8 @@
 
 #include <leadscrew/gcode/motion.hpp>
 #include <leadscrew/gcode/roughing.hpp>
+#include <limits>
+#include <optional>
 
 namespace leadscrew::gcode {
 
@@ -35,6 +37,19 @@ class LatheCycles : Part {
   /// The subprogram has ended.
   [[gnu::cold]] void end();
 
+  /// G41 or G42 with which the contour of G70 begins: holds from the cycle's first move on.
+  struct Compensation {
+    Block block;
+    KeptPlace place;
+  };
+  const std::optional<Compensation>& compensation() const { return compensation_; }
+  /// Compensation ends in the contour of G70 or behind it: before a move that is yet to come, before the next one.
+  bool will_end_compensation() const { return compensated_ != all; }
+  bool ends_compensation() const { return compensated_ == next_; }
+  void compensation_has_ended() { compensated_ = all; }
+  /// The block that the move taken last is of, where it is one of G70; else null.
+  const KeptPlace* place_of(const Move& move) const;
+
   /// The next move of the cycle in execution; false where there is none, or no more.
   bool next(Move& move, const Outbox& outbox) { return next_ < moves_.size() && take(move, outbox); }
   /// The cycle is not followed: the program stands where it would have ended.
@@ -56,10 +71,21 @@ class LatheCycles : Part {
     int passes = 2;         ///< G73
   };
 
+  /// G40 of a contour that is compensated.
+  struct CompensationEnd {
+    KeptPlace place;
+    std::uint32_t block = 0;  // the first whose moves are not compensated
+  };
+  static constexpr std::size_t all = std::numeric_limits<std::size_t>::max();
+
   bool check_words(const Block& block);
   bool check_turning(const Block& block);
   void keep_settings(const Block& block);
   void note_feed(const Block& block, ContourPiece& piece);
+  void note_compensation(const Block& block, bool moves);
+  void begin_compensation(const Block& block);
+  bool place_profile(const std::vector<LatheMove>& moves);
+  bool are_inside_uncompensated();
   std::vector<LatheMove> plan_profile();
   bool plan_profile_roughing(std::vector<LatheMove>& moves);
   bool plan_profile_passes(std::vector<LatheMove>& moves);
@@ -96,6 +122,10 @@ class LatheCycles : Part {
   std::vector<ContourCorner> corners_;
   std::vector<Planned> moves_;
   std::size_t next_ = 0;
+  std::vector<KeptPlace> places_;  // of feeds_, of G70
+  std::optional<Compensation> compensation_;
+  std::optional<CompensationEnd> compensation_end_;
+  std::size_t compensated_ = all;  // so many moves, where what follows them is not
 };
 
 }  // namespace leadscrew::gcode

@@ -5,7 +5,8 @@
 //      A              same. Cuts are roughing.hpp's; at last the tool goes along the contour, and back to A.
 //
 // G73 goes along the contour R times, first U and W of its first block farther off, at last at U/2 and W of the second.
-// G70 goes along the contour itself, at its own feeds.
+// G70 goes along the contour itself, at its own feeds; compensated for the tool's nose where G41 or G42 is on before it, or
+// stands in the contour's first block, up to G40 of its last block, or to the way back. Roughing is not compensated.
 
 #include <algorithm>
 #include <leadscrew/gcode/lathe_cycles.hpp>
@@ -87,6 +88,10 @@ void LatheCycles::begin_profile(const Block& block) {
   contour_.clear();
   corners_.clear();
   moves_.clear();
+  places_ = {reporter_.place(column)};
+  compensation_.reset();
+  compensation_end_.reset();
+  compensated_ = all;
   is_open_ = modal_.in_profile = true;
 }
 
@@ -99,8 +104,71 @@ void LatheCycles::note_feed(const Block& block, ContourPiece& piece) {
     motion_.set_feed(block);
     motion_.feed_of(block, true, block.has('F'), feed);
   }
+  if (block_.is(Code::G70_profile)) places_.push_back(reporter_.place(motion_column(block)));
   feeds_.push_back(feed);
   piece.block = static_cast<std::uint32_t>(feeds_.size()) - 1;
+}
+
+// A block of G70's contour. Blocks without motion may stand before the first that moves, and behind the last.
+void LatheCycles::note_compensation(const Block& block, bool moves) {
+  const Code code = block.code(Group::cutter_radius);
+  if (compensation_end_ && moves) {
+    const AtKeptPlace there(reporter_, compensation_end_->place);
+    error("bad-contour", compensation_end_->place.column, "G40 before the last block of the contour of G70",
+          "G40 in the last block of the contour, or behind G70");
+    compensation_end_.reset();
+  }
+  if (code == Code::none) return;
+  if (code != Code::G40) return begin_compensation(block);
+  if (!compensation_ && modal_.cutter_side == Code::G40) return;
+  compensation_end_ = {reporter_.place(block.column_of(Group::cutter_radius)),
+                       static_cast<std::uint32_t>(feeds_.size())};
+}
+
+void LatheCycles::begin_compensation(const Block& block) {
+  const std::uint32_t column = block.column_of(Group::cutter_radius);
+  const std::string code = name(block.code(Group::cutter_radius));
+  if (modal_.cutter_side != Code::G40) {
+    error("cutter-compensation", column, code + " while cutter compensation is on",
+          "G40 before G70, or no " + code + " in the contour");
+  } else if (compensation_ || !contour_.empty()) {
+    error("bad-contour", column, code + " behind the first block of the contour of G70",
+          code + " in the first block of the contour, or before G70");
+  } else {
+    compensation_ = {block, reporter_.place(column)};
+  }
+}
+
+// Where compensation of the contour ends, the moves from there on lead where the program says.
+bool LatheCycles::place_profile(const std::vector<LatheMove>& moves) {
+  if (!place(moves)) return false;
+  if (moves_.empty() || (!compensation_ && !compensation_end_)) return true;
+  // Of the moves the way back alone is of no block of the contour.
+  const std::uint32_t end = compensation_end_ ? compensation_end_->block : static_cast<std::uint32_t>(feeds_.size());
+  const auto is_behind = [&](const Planned& move) { return move.block == 0 || move.block >= end; };
+  compensated_ = static_cast<std::size_t>(std::ranges::find_if(moves_, is_behind) - moves_.begin());
+  return are_inside_uncompensated();
+}
+
+// Travel has been that of the tool's middle when they were placed.
+bool LatheCycles::are_inside_uncompensated() {
+  const AtKeptPlace there(reporter_, places_.front());
+  for (std::size_t i = compensated_; i < moves_.size(); ++i) {
+    const Planned& move = moves_[i];
+    PlaneBox box{move.end, move.end};
+    if (move.turn != 0 && i > 0) box = arc_extent(moves_[i - 1].end, move.end, move.center, move.turn);
+    const auto is_inside = [&](base::Axis axis, double low, double high) {
+      return travel_.released_inside(axis, low, high, places_.front().column);
+    };
+    if (!is_inside(base::Axis::Z, box.low.first, box.high.first)) return false;
+    if (!is_inside(base::Axis::X, box.low.second, box.high.second)) return false;
+  }
+  return true;
+}
+
+const KeptPlace* LatheCycles::place_of(const Move& move) const {
+  const bool is_of_it = next_ > 0 && next_ <= moves_.size() && block_.is(Code::G70_profile) && move.line == line_;
+  return is_of_it ? &places_[moves_[next_ - 1].block] : nullptr;
 }
 
 std::vector<LatheMove> LatheCycles::plan_profile() {
