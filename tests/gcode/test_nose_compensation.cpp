@@ -199,5 +199,28 @@ TEST(NoseCompensation, StaysInTravel) {
   EXPECT_EQ(to("1001.", ""), "9:1 travel; ");
 }
 
+// In a corner of X20 and Z-20 the middle of the nose is 0.4 off both; the place that is programmed is off the middle by 0.4
+// in the direction that Fanuc's number says.
+TEST(ToolNoses, HaveFanucsNumbers) {
+  constexpr int along_x[] = {0, 1, 1, -1, -1, 0, 1, 0, -1, 0}, along_z[] = {0, 1, -1, -1, 1, 1, 0, -1, 0, 0};
+  for (int nose = 0; nose <= 9; ++nose) {
+    const std::string set = "G10 L1 P4 R0.4 Q" + std::to_string(nose) + "\n";
+    const std::vector<Move> lines =
+        read_lathe("G0 X40. Z5.\n" + set + "G42 G0 X20.\nG1 Z-20. F0.1\nX40.\nG40 G0 X60.\nM30\n", 5).lines();
+    ASSERT_EQ(lines.size(), 5u);
+    EXPECT_NEAR(at(lines[2].end, base::Axis::X), 10.4 + 0.4 * along_x[nose], 1e-9) << nose;
+    EXPECT_NEAR(at(lines[2].end, base::Axis::Z), -19.6 + 0.4 * along_z[nose], 1e-9) << nose;
+  }
+}
+
+TEST(ToolNoses, AreSetAsTheHintSays) {
+  const Reading reading = read_lathe("G10 P4 R0.4 Q3\nM30\n");
+  EXPECT_EQ(reading.problems(), "3:1 missing-word; ");
+  const std::string hint = reading.diagnostics.front().hint;
+  const std::string tool = "G10 L1 P4 R0.4 Q3", coordinates = "G10 L2 P1 X0 Z0";
+  EXPECT_EQ(hint, tool + " for a tool, " + coordinates + " for coordinates");
+  EXPECT_EQ(problems(tool + "\n" + coordinates + "\nM30\n"), "");
+}
+
 }  // namespace test_nose_compensation
 }  // namespace leadscrew::gcode

@@ -26,7 +26,8 @@ std::string example_of(Code code, Dialect dialect) {
     case Code::G4:
       return "give P, seconds: G4 P0.5";
     case Code::G10:
-      return "G10 L2 P1 X0 Y0 Z0";
+      return dialect == Dialect::fanuc_lathe ? "G10 L1 P4 R0.4 Q3 for a tool, G10 L2 P1 X0 Z0 for coordinates"
+                                             : "G10 L2 P1 X0 Y0 Z0";
     case Code::G31:
       return "G31 Z-10 F100";
     case Code::G33:

@@ -27,6 +27,13 @@ int home_of(const Block& block) {
   return block.is(Code::G28) || block.is(Code::G28_1) ? Parameters::g28_home : Parameters::g30_home;
 }
 
+/// Fanuc numbers the tool noses of its lathes otherwise than LinuxCNC, whose numbers the tool table holds: 1 X+ Z+, 2 X+ Z-,
+/// 3 X- Z-, 4 X- Z+, 5 Z+, 6 X+, 7 Z-, 8 X-, from the middle of the nose to the place that is programmed.
+int orientation_of_nose(int number) {
+  constexpr int orientations[] = {0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
+  return orientations[number];
+}
+
 }  // namespace
 
 void Offsets::set_tool_length(const Block& block) {
@@ -250,7 +257,7 @@ bool Offsets::set_shape(const Block& block, machine::Tool& tool) {
     return error("bad-value", block.column_of('Q'), "the orientation of the tool is " + text(block['Q']),
                  "an integer from 0 to 9");
   }
-  tool.orientation = *orientation;
+  tool.orientation = options_.dialect == Dialect::fanuc_lathe ? orientation_of_nose(*orientation) : *orientation;
   return true;
 }
 

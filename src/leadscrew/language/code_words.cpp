@@ -87,7 +87,10 @@ constexpr Row rows[] = {
     {Code::G10, Code::G10, 'R', "turn of the system, degrees, or radius of the tool", ""},
     {Code::G10, Code::G10, 'I', "angle of the tool's front", degrees},
     {Code::G10, Code::G10, 'J', "angle of the tool's back", degrees},
-    {Code::G10, Code::G10, 'Q', "orientation of the tool, 0 to 9", number},
+    {Code::G10, Code::G10, 'Q',
+     "orientation of the tool, 0 to 9, as LinuxCNC numbers it; in dialect fanuc-lathe as Fanuc does: 3 for turning "
+     "outside, 2 for boring",
+     number},
     {Code::G12, Code::G13, 'I', "radius of the first circle, or of the only one", length},
     {Code::G12, Code::G13, 'K', "radius of the pocket", length},
     {Code::G12, Code::G13, 'Q', "by how much each circle is greater than the one before", length},
