@@ -222,5 +222,23 @@ TEST(ToolNoses, AreSetAsTheHintSays) {
   EXPECT_EQ(problems(tool + "\n" + coordinates + "\nM30\n"), "");
 }
 
+// The last two digits of T say whose nose it is, and 00 none.
+TEST(ToolNoses, AreThoseOfTheOffset) {
+  Conditions conditions = lathe();
+  conditions.tools = machine::ToolTable({machine::Tool{.number = 2, .diameter = 0.8, .orientation = 2},
+                                         machine::Tool{.number = 7, .diameter = 1.6, .orientation = 2}});
+  const auto end_of_taper = [&](const std::string& tool) {
+    const std::vector<Move> lines =
+        read_well(tool + "\n" + head.substr(6) + "G0 X50. Z5.\nG42 G0 X20.\nG1 Z-10. F0.1\nX30. Z-20.\nG40 X40.\nM30\n",
+                  conditions)
+            .lines();
+    return at(lines[2].end, base::Axis::Z);
+  };
+  const double behind_corner = 3 - std::sqrt(5.0);  // of a nose of radius 1
+  EXPECT_NEAR(end_of_taper("T0202"), -10 - 0.4 * behind_corner, 1e-9);
+  EXPECT_NEAR(end_of_taper("T0207"), -10 - 0.8 * behind_corner, 1e-9);
+  EXPECT_NEAR(end_of_taper("T0200"), -10, 1e-9);
+}
+
 }  // namespace test_nose_compensation
 }  // namespace leadscrew::gcode

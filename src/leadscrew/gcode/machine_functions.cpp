@@ -60,6 +60,7 @@ void MachineFunctions::turn_turret(const Block& block) {
   }
   const machine::Tool* const found = offset == 0 ? nullptr : tools_.find(offset);
   frame_.set_tool(found ? found->offset : base::AxisVector{});
+  modal_.cutter = offset;  // whose nose it is
   if (found || offset == 0) return;
   if (!tools_.tools().empty()) {
     reporter_.warning("unknown-tool", block.column_of('T'),
