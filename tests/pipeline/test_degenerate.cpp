@@ -272,11 +272,20 @@ TEST(Degenerate, CurvesWithControlPointsThatCoincide) {
       "P2\nX0.003 Y0.008 P1\n",
       "F6000\nG5.2 X90 Y60 P10 L6\nX4 Y4 P0.5\nX4 Y4 P2\nX-80 Y-20 P10\nX-80 Y-20 P1\nX-80 Y-20 P0.5\nX-80 Y-20 "
       "P1\nX-80 Y-20 P1\nX20 Y0 P2\nX20 Y0 P10\nX20 Y-5 P1\n",
-      "F1000\nG5.2 X0 Y-6 P2 L4\nX-0.007 Y9 P1\nX-0.007 Y9 P1\nX-0.007 Y9 P1\nX-5 Y3 P2\nX-2 Y-5 P1\nX-2 Y-5 P2\nX-2 "
-      "Y-5 "
-      "P2\nX-7 Y9 P0.5\n",
   };
   for (const std::string& curve : curves) passes(curve + "G5.3\nG1 X10 Y3\nM2\n", {10, 3});
+}
+
+/// The same, where steps of q‴ near such a point were a thousandth of jerk too many.
+TEST(Degenerate, StepsOfACurveNearControlPointsThatCoincide) {
+  const Outcome outcome =
+      run("F1000\nG5.2 X0 Y-6 P2 L4\nX-0.007 Y9 P1\nX-0.007 Y9 P1\nX-0.007 Y9 P1\nX-5 Y3 P2\nX-2 Y-5 P1\nX-2 Y-5 P2\n"
+          "X-2 Y-5 P2\nX-7 Y9 P0.5\nG5.3\nG1 X10 Y3\nM2\n",
+          machine::mill3());
+  EXPECT_TRUE(outcome.ended);
+  EXPECT_LE(outcome.summary.plan.greatest(), 1.001);
+  EXPECT_LE(outcome.verdict.end_error_mm, 1e-9);
+  EXPECT_EQ(outcome.verdict.violation_count, 0);
 }
 
 }  // namespace test_degenerate

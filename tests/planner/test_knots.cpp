@@ -84,14 +84,31 @@ RC_GTEST_PROP(Knots, LeaveRestByAShortRamp, ()) {
   RC_ASSERT(placed.knots.start_ramp * std::sqrt(bend) <= 1e-3);
 }
 
-/// Ends of pieces that differ in feed, and knots of splines, unless two lie within rounding of each other.
+/// Does q‴ step there by more than a five-hundredth of an axis' jerk, as fast as motion may be?
+bool is_noticed(const Placed& placed, const toolpath::Piece& piece, double s) {
+  const constraints::Constraints constraints(placed.machine);
+  const geometry::PointJet left = planner::one_sided_jets(piece.axes(), s, planner::Side::left),
+                           right = planner::one_sided_jets(piece.axes(), s, planner::Side::right);
+  const double square = constraints.greatest_square({left, piece.greatest_speed(s, left)});
+  for (const base::Axis axis : base::all_axes) {
+    if (!placed.machine.has(axis)) continue;
+    const std::size_t i = base::index(axis);
+    const double step = std::abs(right[i].third - left[i].third) * square * std::sqrt(square);
+    if (step > 0.00201 * placed.machine.limits(axis).jerk) return true;
+  }
+  return false;
+}
+
+/// Ends of pieces that differ in feed, and knots of splines where jerk notices them, unless two lie within rounding of each other.
 RC_GTEST_PROP(Knots, LieOnBreaks, ()) {
   const Placed placed = random_placement();
   const Knots& knots = placed.knots;
   std::vector<double> breaks;
   for (std::size_t p = 0; p < placed.section.size(); ++p) {
     const toolpath::Piece& piece = placed.section.piece(p);
-    for (const double s : geometry::breaks(piece.curve)) breaks.push_back(placed.section.offset(p) + s);
+    for (const double s : geometry::breaks(piece.curve)) {
+      if (is_noticed(placed, piece, s)) breaks.push_back(placed.section.offset(p) + s);
+    }
     if (p + 1 < placed.section.size() && piece.feed != placed.section.piece(p + 1).feed) {
       breaks.push_back(placed.section.offset(p + 1));
     }
