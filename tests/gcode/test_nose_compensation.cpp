@@ -214,12 +214,13 @@ TEST(ToolNoses, HaveFanucsNumbers) {
 }
 
 TEST(ToolNoses, AreSetAsTheHintSays) {
-  const Reading reading = read_lathe("G10 P4 R0.4 Q3\nM30\n");
+  const Reading reading = read_lathe("G10 R0.4 Q3\nM30\n");
   EXPECT_EQ(reading.problems(), "3:1 missing-word; ");
+  EXPECT_EQ(reading.diagnostics.front().message, "G10 lacks P");
   const std::string hint = reading.diagnostics.front().hint;
-  const std::string tool = "G10 L1 P4 R0.4 Q3", coordinates = "G10 L2 P1 X0 Z0";
-  EXPECT_EQ(hint, tool + " for a tool, " + coordinates + " for coordinates");
-  EXPECT_EQ(problems(tool + "\n" + coordinates + "\nM30\n"), "");
+  const std::string tool = "G10 P10004 R0.4 Q3", wear = "G10 P4 X0.1", coordinates = "G10 L2 P1 X0 Z0";
+  EXPECT_EQ(hint, tool + " for a tool, " + wear + " for its wear, " + coordinates + " for coordinates");
+  EXPECT_EQ(problems(tool + "\n" + wear + "\n" + coordinates + "\nM30\n"), "");
 }
 
 // The last two digits of T say whose nose it is, and 00 none.

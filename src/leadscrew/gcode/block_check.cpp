@@ -26,8 +26,11 @@ std::string example_of(Code code, Dialect dialect) {
     case Code::G4:
       return "give P, seconds: G4 P0.5";
     case Code::G10:
-      return dialect == Dialect::fanuc_lathe ? "G10 L1 P4 R0.4 Q3 for a tool, G10 L2 P1 X0 Z0 for coordinates"
-                                             : "G10 L2 P1 X0 Y0 Z0";
+      if (dialect == Dialect::fanuc_lathe)
+        return "G10 P10004 R0.4 Q3 for a tool, G10 P4 X0.1 for its wear, G10 L2 P1 X0 Z0 for coordinates";
+      if (is_of_fanuc_family(dialect))
+        return "G10 L10 P1 R50. for a tool's length, G10 L12 P1 R5. for its radius, G10 L2 P1 X0 Y0 Z0 for coordinates";
+      return "G10 L2 P1 X0 Y0 Z0";
     case Code::G31:
       return "G31 Z-10 F100";
     case Code::G33:
@@ -237,7 +240,9 @@ void BlockCheck::check_axes(const Block& block) {
 
 // Reports the first of the words that a code needs and the block lacks.
 void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
-  const std::uint32_t lacking = row(code).needs.bits & ~block.words;
+  std::uint32_t lacking = row(code).needs.bits & ~block.words;
+  // Without L it sets an offset of a lathe.
+  if (code == Code::G10 && options_.dialect == Dialect::fanuc_lathe) lacking &= ~letter_bit('L');
   const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
   // The table of tools, which has no P.
   const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;

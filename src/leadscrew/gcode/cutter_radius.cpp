@@ -24,7 +24,7 @@ std::optional<double> CutterRadius::of(const Block& block) {
 
 std::optional<Cutter> CutterRadius::of_tool(int number, std::uint32_t column) {
   const machine::Tool* const tool = tools_.find(number);
-  if (tool) return Cutter{tool->diameter / 2, tool->orientation};
+  if (tool) return Cutter{tool->worn_radius(), tool->orientation};
   if (!tools_.tools().empty()) {
     error("unknown-tool", column, "tool " + std::to_string(number) + " is not in the tool table",
           "give a tool table that holds it, with its diameter");

@@ -48,8 +48,9 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
     {Form::rapid_at_start, {in_haas, in_grbl}, "G0 is in force where a program begins", "G90 X10 Y5"},
     {Form::incremental_letters,
      {in_fanuc_lathe},
-     "U and W are distances along X and Z, X and U of the diameter",
-     "G0 X20. Z2.\nU-2. W-1."},
+     "U and W are distances along X and Z, X and U of the diameter; of G10 they are added to the offset that it sets, "
+     "and C to its nose radius",
+     "G0 X20. Z2.\nU-2. W-1.\nG10 P4 U-0.02"},
     {Form::tool_with_offset,
      {in_fanuc_lathe},
      "T is the number of a tool and, of two digits, of its offset; the tool is changed",
@@ -225,18 +226,32 @@ void DialectForms::rewrite_cycle(Block& block, const TextLine& line) const {
   if (has(Form::repeats_by_k) && block.has('K') && !block.has('L')) move_word(block, 'K', 'L');
 }
 
+// U, W and C of G10 without L are added to the offset that it sets.
+void DialectForms::rewrite_offset(Block& block, const LatheOffsetValues& before) const {
+  rewrite_distances(block, before.offset);
+  if (!block.has('C') || block.has('R')) return;
+  move_word(block, 'C', 'R');
+  block.value['R' - 'A'] += before.nose_radius / frame_.length_unit;
+}
+
+// U and W are distances from a place, mm.
+void DialectForms::rewrite_distances(Block& block, const base::AxisVector& from) const {
+  for (const auto& [by, along, axis] : {std::tuple{'U', 'X', base::Axis::X}, {'W', 'Z', base::Axis::Z}}) {
+    if (!block.has(by) || block.has(along)) continue;
+    move_word(block, by, along);
+    const double stands = from[base::index(axis)] / frame_.length_unit;
+    block.value[static_cast<std::size_t>(along - 'A')] +=
+        axis == base::Axis::X && modal_.diameters ? 2 * stands : stands;
+  }
+}
+
 // U and W are distances from where the tool stands, but for those that a code of the block takes.
 void DialectForms::rewrite_turning(Block& block, const TextLine& line) const {
   const Code code = block.code(Group::nonmodal);
   if (code != Code::none && row(code).words.has('U')) return;
-  const base::AxisVector program = frame_.to_program(frame_.position);
-  for (const auto& [by, along, axis] : {std::tuple{'U', 'X', base::Axis::X}, {'W', 'Z', base::Axis::Z}}) {
-    if (!block.has(by) || block.has(along)) continue;
-    move_word(block, by, along);
-    const double stands = program[base::index(axis)] / frame_.length_unit;
-    block.value[static_cast<std::size_t>(along - 'A')] +=
-        axis == base::Axis::X && modal_.diameters ? 2 * stands : stands;
-  }
+  const std::optional<LatheOffset> offset = code == Code::G10 ? lathe_offset_of(block) : std::nullopt;
+  if (offset) return rewrite_offset(block, values_of(*offset, tools_));
+  rewrite_distances(block, frame_.to_program(frame_.position));
   const bool pecks = block.is(Code::G74_face) || block.is(Code::G75);
   if (!pecks && !block.is(Code::G76_profile)) return;
   // Depths that take no point: thousandths of a millimetre, or ten-thousandths of an inch.

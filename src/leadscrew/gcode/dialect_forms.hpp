@@ -2,6 +2,7 @@
 // Forms of text that are no codes and that dialects differ in: how long G4 dwells, what axis words do behind G80, what a
 // program may end with. A block is rewritten into the form that LinuxCNC has for the same, before it is executed.
 
+#include <leadscrew/gcode/lathe_offsets.hpp>
 #include <leadscrew/gcode/line_source.hpp>
 #include <leadscrew/gcode/part.hpp>
 #include <span>
@@ -63,6 +64,8 @@ class DialectForms : Part {
   void rewrite_home(Block& block) const;
   [[gnu::cold]] void rewrite_scale(Block& block, const TextLine& line) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;
+  [[gnu::cold]] void rewrite_offset(Block& block, const LatheOffsetValues& before) const;
+  void rewrite_distances(Block& block, const base::AxisVector& from) const;
   [[gnu::cold]] void rewrite_turning(Block& block, const TextLine& line) const;
   void drop_extruder(Block& block);
 

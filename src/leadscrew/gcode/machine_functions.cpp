@@ -59,7 +59,7 @@ void MachineFunctions::turn_turret(const Block& block) {
     outbox_.emit_event(Kind::turret_indexing, tool);
   }
   const machine::Tool* const found = offset == 0 ? nullptr : tools_.find(offset);
-  frame_.set_tool(found ? found->offset : base::AxisVector{});
+  frame_.set_tool(found ? found->worn_offset() : base::AxisVector{});
   modal_.cutter = offset;  // whose nose it is
   if (found || offset == 0) return;
   if (!tools_.tools().empty()) {

@@ -9,29 +9,14 @@ namespace {
 constexpr int most_of_fanuc = 300;  // G54.1 P
 constexpr int most_of_haas = 99;    // G154 P
 const char* levels_of_g10(Dialect dialect) {
+  if (is_of_fanuc_family(dialect)) return "L1, L2, L10, L11, L12, L13 or L20";
   const bool is_of_linuxcnc = dialect == Dialect::linuxcnc || dialect == Dialect::leadscrew;
   return is_of_linuxcnc ? "L0, L1, L2, L10, L11 or L20" : "L1, L2, L10, L11 or L20";
-}
-
-// Calls f(axis, value of its word in mm or degrees) for each axis word.
-template <class F>
-void for_each_axis_word(const Block& block, const Frame& frame, F&& f) {
-  for (const base::Axis axis : base::all_axes) {
-    const char letter = base::letter(axis);
-    if (block.has(letter)) f(axis, block[letter] * frame.unit(axis));
-  }
 }
 
 // The first parameter of the place that G28, G28.1, G30 or G30.1 is about.
 int home_of(const Block& block) {
   return block.is(Code::G28) || block.is(Code::G28_1) ? Parameters::g28_home : Parameters::g30_home;
-}
-
-/// Fanuc numbers the tool noses of its lathes otherwise than LinuxCNC, whose numbers the tool table holds: 1 X+ Z+, 2 X+ Z-,
-/// 3 X- Z-, 4 X- Z+, 5 Z+, 6 X+, 7 Z-, 8 X-, from the middle of the nose to the place that is programmed.
-int orientation_of_nose(int number) {
-  constexpr int orientations[] = {0, 4, 3, 2, 1, 5, 8, 7, 6, 9};
-  return orientations[number];
 }
 
 }  // namespace
@@ -44,15 +29,12 @@ void Offsets::set_tool_length(const Block& block) {
   base::AxisVector offset{};
   if (code == Code::G43_1) {
     offset = frame_.tool();
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
+    for_each_axis_word(block, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
   } else if (code != Code::G49) {
     bool known = false;
     const machine::Tool* const tool = tool_of(block, known);
     if (!known) return;
-    if (tool) offset = tool->offset;
-    if (const auto wear = tool ? wear_.find(tool->number) : wear_.end(); wear != wear_.end()) {
-      offset[base::index(base::Axis::Z)] += wear->second;
-    }
+    if (tool) offset = tool->worn_offset();
     for (std::size_t i = 0; i < base::axis_count; ++i) {
       if (code == Code::G44) offset[i] = -offset[i];
       if (code == Code::G43_2) offset[i] += frame_.tool()[i];
@@ -176,12 +158,16 @@ std::optional<int> Offsets::system_of(const Block& block, int kind) {
 // G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given; with Fanuc and Haas, L20 sets
 // one of G54.1 or G154 as L2 sets the others.
 void Offsets::set_system(const Block& block) {
-  if (!block.has('L')) return;
+  if (!block.has('L')) {
+    if (block.has('P') && options_.dialect == Dialect::fanuc_lathe) set_lathe_offset(block);
+    return;
+  }
   const std::optional<int> kind = as_integer(block['L']);
   const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
   if (kind == 0 && is_of_linuxcnc) return;  // reloads the table, which holds what G10 L1 has told of tools
   if (!block.has('P')) return;
-  if (kind == 1 || (kind && 10 <= *kind && *kind <= 13)) return set_tool(block, *kind);
+  const int last_of_tools = has_registers() ? 13 : 11;
+  if (kind == 1 || (kind && 10 <= *kind && *kind <= last_of_tools)) return set_tool(block, *kind);
   if (kind != 2 && kind != 20) {
     error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
     return;
@@ -191,7 +177,7 @@ void Offsets::set_system(const Block& block) {
   const int number = *which;
   CoordinateSystem system = parameters_.system(number);
   if (kind == 2 || has_registers()) {
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
+    for_each_axis_word(block, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
     if (block.has('R')) system.rotation = block['R'];
   } else if (block.has('R')) {
     error("unused-word", block.column_of('R'), "G10 L20 does not take R", "R belongs to G10 L2");
@@ -200,7 +186,7 @@ void Offsets::set_system(const Block& block) {
     Frame there = frame_;
     there.set_system(system);
     base::AxisVector program = there.to_program(frame_.position);
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { program[base::index(axis)] = value; });
+    for_each_axis_word(block, [&](base::Axis axis, double value) { program[base::index(axis)] = value; });
     const base::AxisVector reached = there.to_machine(program);
     for (const base::Axis axis : base::all_axes) {
       const std::size_t i = base::index(axis);
@@ -217,92 +203,9 @@ bool Offsets::has_registers() const {
   return is_of_fanuc_family(options_.dialect);
 }
 
-// LinuxCNC manual, G Codes, "G10 L1", "G10 L10", "G10 L11". The offset in force stays what it is until G43.
-void Offsets::set_tool(const Block& block, int kind) {
-  const std::optional<int> number = as_integer(block['P']);
-  constexpr int most_registers = 9999;
-  if (!number || *number < 1 || (has_registers() && *number > most_registers)) {
-    error("bad-value", block.column_of('P'), "there is no tool P" + text(block['P']), "an integer of 1 or more");
-    return;
-  }
-  const machine::Tool* const found = tools_.find(*number);
-  if (!found && !has_registers()) {
-    error("unknown-tool", block.column_of('P'), "tool " + std::to_string(*number) + " is not in the tool table",
-          "give a tool table that holds it");
-    return;
-  }
-  machine::Tool tool;
-  tool.number = *number;
-  if (found) tool = *found;
-  if (has_registers() && kind != 1) {
-    set_register(block, kind, tool);
-  } else if (kind > 11) {
-    error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
-    return;
-  } else {
-    tool.offset = offset_to_reach(block, kind, tool.offset);
-    if (!set_shape(block, tool)) return;
-  }
-  tools_.set(std::move(tool));
-}
-
-// Of a tool as G10 L1, L10 and L11 tell it (LinuxCNC manual, G Codes).
-bool Offsets::set_shape(const Block& block, machine::Tool& tool) {
-  if (block.has('R')) tool.diameter = 2 * block['R'] * frame_.length_unit;
-  if (block.has('I')) tool.front_angle = block['I'];
-  if (block.has('J')) tool.back_angle = block['J'];
-  if (!block.has('Q')) return true;
-  const std::optional<int> orientation = as_integer(block['Q']);
-  if (!orientation || *orientation < 0 || *orientation > 9) {
-    return error("bad-value", block.column_of('Q'), "the orientation of the tool is " + text(block['Q']),
-                 "an integer from 0 to 9");
-  }
-  tool.orientation = options_.dialect == Dialect::fanuc_lathe ? orientation_of_nose(*orientation) : *orientation;
-  return true;
-}
-
-// Fanuc: R of L10 is a length, of L11 its wear, of L12 a radius, of L13 its wear, which no tool table keeps.
-void Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
-  if (!block.has('R')) return;
-  const bool adds = modal_.distance == Distance::incremental;
-  const double value = block['R'] * frame_.length_unit;
-  double& length = tool.offset[base::index(base::Axis::Z)];
-  if (kind == 10) length = adds ? length + value : value;
-  if (kind == 11) wear_[tool.number] = adds ? wear_[tool.number] + value : value;
-  if (kind == 12) tool.diameter = std::fabs(adds ? tool.diameter + 2 * value : 2 * value);
-}
-
-// L1: as given. L10: with it the tool stands at the coordinates given; L11: at those of G59.3 without shift.
-base::AxisVector Offsets::offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const {
-  Frame there = frame_;
-  there.set_tool({});
-  if (kind == 11) {
-    there.set_system(parameters_.system(Parameters::numbered_systems));
-    there.set_shift({});
-  }
-  base::AxisVector offset = before;
-  if (kind == 1) {
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { offset[base::index(axis)] = value; });
-    return offset;
-  }
-  // Coordinates that are not given stay, where the axes are turned: then the offset of all of them is another.
-  const base::AxisVector stands = there.to_program(frame_.position);
-  base::AxisVector short_by{};
-  for_each_axis_word(block, frame_, [&](base::Axis axis, double value) {
-    const std::size_t i = base::index(axis);
-    short_by[i] = stands[i] - value;
-  });
-  const base::AxisVector in_machine = there.direction_to_machine(short_by);
-  for (const base::Axis axis : base::all_axes) {
-    const std::size_t i = base::index(axis);
-    if (block.has(base::letter(axis)) || !there.is_separate(axis)) offset[i] = in_machine[i];
-  }
-  return offset;
-}
-
 void Offsets::set_local(const Block& block) {
   base::AxisVector shift = frame_.shift();
-  for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { shift[base::index(axis)] = value; });
+  for_each_axis_word(block, [&](base::Axis axis, double value) { shift[base::index(axis)] = value; });
   parameters_.set_axes(Parameters::g92_shift, shift);
   parameters_.set(Parameters::g92_active, 1);
   frame_.set_shift(shift);
@@ -315,7 +218,7 @@ void Offsets::set_shift(const Block& block) {
     shift = frame_.shift();
     const base::AxisVector before = frame_.to_program(frame_.position);
     base::AxisVector after = before;
-    for_each_axis_word(block, frame_, [&](base::Axis axis, double value) { after[base::index(axis)] = value; });
+    for_each_axis_word(block, [&](base::Axis axis, double value) { after[base::index(axis)] = value; });
     const base::AxisVector from = frame_.transformed(before), to = frame_.transformed(after);
     for (std::size_t i = 0; i < base::axis_count; ++i) shift[i] += from[i] - to[i];
     parameters_.set_axes(Parameters::g92_shift, shift);

@@ -2,7 +2,6 @@
 // Where the program's coordinates lie: coordinate systems, shifts, tool lengths, and the places to go home to.
 
 #include <leadscrew/gcode/motion.hpp>
-#include <unordered_map>
 
 namespace leadscrew::gcode {
 
@@ -36,19 +35,30 @@ class Offsets : Part {
   void set_home(const Block& block);
 
  private:
+  /// Calls f(axis, value of its word in mm or degrees) for each axis word.
+  template <class F>
+  void for_each_axis_word(const Block& block, F&& f) const {
+    for (const base::Axis axis : base::all_axes) {
+      const char letter = base::letter(axis);
+      if (block.has(letter)) f(axis, block[letter] * frame_.unit(axis));
+    }
+  }
   void note_missing_table(const Block& block);
   void begin_tip_control(std::uint32_t column);
   bool fails_under_tip_control(const Block& block);
   const machine::Tool* tool_of(const Block& block, bool& known);
   void set_tool(const Block& block, int kind);
   bool has_registers() const;
+  machine::Tool tool_to_set(int number) const;
   bool set_shape(const Block& block, machine::Tool& tool);
+  bool set_orientation(const Block& block, machine::Tool& tool);
   void set_register(const Block& block, int kind, machine::Tool& tool);
+  void set_lathe_offset(const Block& block);
+  bool takes_only(const Block& block, Letters words, const char* hint);
   base::AxisVector offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const;
   std::optional<int> system_of(const Block& block, int kind);
 
   Motion& motion_;
-  std::unordered_map<int, double> wear_;  // of a tool's length, mm, by its number
   bool told_of_table_ = false;
 };
 

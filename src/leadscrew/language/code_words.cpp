@@ -81,10 +81,16 @@ constexpr Row rows[] = {
     {Code::G4, Code::G4, 'P', "how long; in some dialects milliseconds (see the forms)", seconds},
     {Code::G10, Code::G10, 'L',
      "what is set: 1, 10, 11 tools, 2, 20 coordinate systems; of LinuxCNC also 0, without P: the table of tools is "
-     "read again",
+     "read again; of fanuc and haas also 12, 13; in fanuc-lathe without L the offset P",
      number},
-    {Code::G10, Code::G10, 'P', "which tool, or which system: 1 to 9, 0 for the one in force", number},
-    {Code::G10, Code::G10, 'R', "turn of the system, degrees, or radius of the tool", ""},
+    {Code::G10, Code::G10, 'P',
+     "which tool, or which system: 1 to 9, 0 for the one in force; in fanuc-lathe without L the wear of offset 1 to "
+     "99, 10001 to 10099 its geometry",
+     number},
+    {Code::G10, Code::G10, 'R',
+     "turn of the system, degrees, or radius of the tool; of fanuc and haas as L says: length, its "
+     "wear, radius, its wear",
+     ""},
     {Code::G10, Code::G10, 'I', "angle of the tool's front", degrees},
     {Code::G10, Code::G10, 'J', "angle of the tool's back", degrees},
     {Code::G10, Code::G10, 'Q',

@@ -33,6 +33,18 @@ struct Tool {
   double front_angle = 0;      ///< I, of a lathe tool, degrees
   double back_angle = 0;       ///< J, of a lathe tool, degrees
   int orientation = 0;  ///< Q, of a lathe tool: 1 … 8, 0 and 9 its middle (LinuxCNC manual, "Lathe tool orientation")
+  // Wear, which G10 of Fanuc's and Haas' dialects sets and no table holds.
+  base::AxisVector wear{};  ///< of the offset, mm
+  double radius_wear = 0;   ///< of half the diameter, mm
+
+  /// Offset and wear.
+  base::AxisVector worn_offset() const {
+    base::AxisVector sum = offset;
+    for (std::size_t i = 0; i < base::axis_count; ++i) sum[i] += wear[i];
+    return sum;
+  }
+  /// Half the diameter and its wear, mm; negative as the diameter is.
+  double worn_radius() const { return diameter / 2 + radius_wear; }
 
   friend bool operator==(const Tool&, const Tool&) = default;
 };
