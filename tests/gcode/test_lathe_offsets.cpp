@@ -107,5 +107,29 @@ TEST(ToolRegisters, HoldTheWearOfARadius) {
   EXPECT_NEAR(x_of_cut("G10 L12 P1 R5.\nG10 L13 P1 R-0.1\nG91 G10 L13 P1 R-0.2\nG90\n"), 15.3, 1e-12);
 }
 
+// What has no meaning there is not passed over.
+TEST(ToolRegisters, TakeRAlone) {
+  const auto problems = [](const std::string& block, Dialect dialect) {
+    return read(block + "\nM30\n", in_dialect(dialect)).problems();
+  };
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
+    for (const std::string l : {"10", "11", "12", "13"}) {
+      for (const std::string word : {"Q3", "I5", "J5", "Z5", "X5"}) {
+        EXPECT_EQ(problems("G10 L" + l + " P1 R5. " + word, dialect), "1:16 unused-word; ") << l << word;
+      }
+      EXPECT_EQ(problems("G10 L" + l + " P1", dialect), "1:1 missing-word; ") << l;
+    }
+    for (const std::string word : {"Q3", "I5", "J5"}) {
+      EXPECT_EQ(problems("G10 L2 P1 X5. " + word, dialect), "1:15 unused-word; ");
+    }
+    EXPECT_EQ(problems("G10 L2 P1 X5. R5.", dialect), "");
+  }
+  for (const std::string l : {"10", "11", "12", "13"}) {
+    EXPECT_EQ(problems("G10 L" + l + " P1 R5. Q3", Dialect::fanuc_lathe), "1:5 bad-value; ") << l;
+  }
+  const Reading reading = read("G10 L11 P1 Q3 R5.\nM30\n", in_dialect(Dialect::fanuc));
+  EXPECT_EQ(reading.diagnostics.front().hint, "R alone is what G10 L11 sets: G10 L11 P1 R-0.1");
+}
+
 }  // namespace test_lathe_offsets
 }  // namespace leadscrew::gcode

@@ -9,6 +9,8 @@ namespace {
 constexpr int most_of_fanuc = 300;  // G54.1 P
 constexpr int most_of_haas = 99;    // G154 P
 const char* levels_of_g10(Dialect dialect) {
+  if (dialect == Dialect::fanuc_lathe)
+    return "L1, L2 or L20; no L for a tool's offset: G10 P10004 X0 for geometry, P4 for wear";
   if (is_of_fanuc_family(dialect)) return "L1, L2, L10, L11, L12, L13 or L20";
   const bool is_of_linuxcnc = dialect == Dialect::linuxcnc || dialect == Dialect::leadscrew;
   return is_of_linuxcnc ? "L0, L1, L2, L10, L11 or L20" : "L1, L2, L10, L11 or L20";
@@ -166,8 +168,7 @@ void Offsets::set_system(const Block& block) {
   const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
   if (kind == 0 && is_of_linuxcnc) return;  // reloads the table, which holds what G10 L1 has told of tools
   if (!block.has('P')) return;
-  const int last_of_tools = has_registers() ? 13 : 11;
-  if (kind == 1 || (kind && 10 <= *kind && *kind <= last_of_tools)) return set_tool(block, *kind);
+  if (kind && is_of_tool(*kind)) return set_tool(block, *kind);
   if (kind != 2 && kind != 20) {
     error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
     return;
@@ -175,6 +176,8 @@ void Offsets::set_system(const Block& block) {
   const std::optional<int> which = system_of(block, *kind);
   if (!which) return;
   const int number = *which;
+  const Letters words = "XYZABCUVWR";
+  if (has_registers() && !takes_only(block, words, "axes, and R, belong to a coordinate system")) return;
   CoordinateSystem system = parameters_.system(number);
   if (kind == 2 || has_registers()) {
     for_each_axis_word(block, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
@@ -196,6 +199,13 @@ void Offsets::set_system(const Block& block) {
   }
   parameters_.set_system(number, system);
   if (number == modal_.system) frame_.set_system(system);
+}
+
+// Whether G10 of this L sets a tool. Lathes of Fanuc do that without L.
+bool Offsets::is_of_tool(int kind) const {
+  if (kind == 1) return true;
+  const int last = options_.dialect == Dialect::fanuc_lathe ? 0 : has_registers() ? 13 : 11;
+  return 10 <= kind && kind <= last;
 }
 
 // Fanuc and Haas keep geometry and wear in registers, whether or not there is such a tool.

@@ -48,13 +48,14 @@ class Offsets : Part {
   bool fails_under_tip_control(const Block& block);
   const machine::Tool* tool_of(const Block& block, bool& known);
   void set_tool(const Block& block, int kind);
+  bool is_of_tool(int kind) const;
   bool has_registers() const;
   machine::Tool tool_to_set(int number) const;
   bool set_shape(const Block& block, machine::Tool& tool);
   bool set_orientation(const Block& block, machine::Tool& tool);
-  void set_register(const Block& block, int kind, machine::Tool& tool);
+  bool set_register(const Block& block, int kind, machine::Tool& tool);
   void set_lathe_offset(const Block& block);
-  bool takes_only(const Block& block, Letters words, const char* hint);
+  bool takes_only(const Block& block, Letters words, const std::string& hint);
   base::AxisVector offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const;
   std::optional<int> system_of(const Block& block, int kind);
 

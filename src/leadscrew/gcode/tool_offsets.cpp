@@ -34,7 +34,7 @@ void Offsets::set_tool(const Block& block, int kind) {
   }
   machine::Tool tool = tool_to_set(*number);
   if (has_registers() && kind != 1) {
-    set_register(block, kind, tool);
+    if (!set_register(block, kind, tool)) return;
   } else {
     tool.offset = offset_to_reach(block, kind, tool.offset);
     if (!set_shape(block, tool)) return;
@@ -68,8 +68,10 @@ bool Offsets::set_orientation(const Block& block, machine::Tool& tool) {
 }
 
 // Fanuc: R of L10 is a length, of L11 its wear, of L12 a radius, of L13 its wear.
-void Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
-  if (!block.has('R')) return;
+bool Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
+  const std::string code = "G10 L" + std::to_string(kind), example = code + " P1 R" + (kind % 2 == 0 ? "50." : "-0.1");
+  if (!takes_only(block, "R", "R alone is what " + code + " sets: " + example)) return false;
+  if (!block.has('R')) return error("missing-word", block.column_of(Group::nonmodal), code + " lacks R", example);
   const bool adds = modal_.distance == Distance::incremental;
   const double value = block['R'] * frame_.length_unit;
   const auto set = [&](double& held) { held = adds ? held + value : value; };
@@ -77,6 +79,7 @@ void Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
   if (kind == 11) set(tool.wear[base::index(base::Axis::Z)]);
   if (kind == 12) tool.diameter = std::fabs(adds ? tool.diameter + 2 * value : 2 * value);
   if (kind == 13) set(tool.radius_wear);
+  return true;
 }
 
 // G10 P of Fanuc's lathes. Its words are absolute here: what U, W and C add to has been added.
@@ -106,7 +109,7 @@ void Offsets::set_lathe_offset(const Block& block) {
 }
 
 // Whether G10 has no words but N, P, L and those; else the first of them is reported.
-bool Offsets::takes_only(const Block& block, Letters words, const char* hint) {
+bool Offsets::takes_only(const Block& block, Letters words, const std::string& hint) {
   const std::uint32_t own = (row(Code::G10).words.bits | axis_letter_bits) & ~(letter_bit('P') | letter_bit('L'));
   const std::uint32_t others = block.words & own & ~words.bits;
   if (others == 0) return true;
