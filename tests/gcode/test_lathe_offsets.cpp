@@ -48,6 +48,20 @@ TEST(LatheOffsets, AreAddedToByUAndW) {
   expect_place("G10 P4 U0.2 Z0.1", 15.1, -24.9);
 }
 
+// Of coordinate systems too, wherever the tool stands.
+TEST(LatheOffsets, OfCoordinatesAreAddedToByUAndW) {
+  const std::string stands = "G0 X70. Z3.\n", there = "\nG54 G0 X0 Z0\nM30\n";
+  const auto origin = [&](const std::string& blocks) {
+    return xyz(read_well(stands + blocks + there, in_dialect(Dialect::fanuc_lathe)).lines().back().end);
+  };
+  EXPECT_EQ(origin("G10 L2 P1 X8. Z5.\nG10 L2 P1 U1. W-2."), (Point{4.5, 0, 3}));
+  EXPECT_EQ(origin("G10 L2 P1 X8. Z5.\nG10 L2 P0 U1."), (Point{4.5, 0, 5}));
+  const std::string further = "G10 L20 P1 Z8.\nG10 L20 P1 W-2.\nG54.1 P1\nG0 X1. Z0\nM30\n";
+  EXPECT_EQ(xyz(read_well(stands + further, in_dialect(Dialect::fanuc_lathe)).lines().back().end), (Point{0.5, 0, 6}));
+  expect_place("G10 L1 P4 U1. W2.", 15.5, -23);
+  EXPECT_EQ(read("G10 L2 P10 U1.\nM30\n", in_dialect(Dialect::fanuc_lathe)).problems(), "1:8 bad-value; ");
+}
+
 TEST(LatheOffsets, HaveANoseOfGeometryAndWear) {
   const double offset = nose_behind("") - 0.4;
   EXPECT_NEAR(nose_behind("G10 P10004 R0.8"), offset + 0.8, 1e-12);

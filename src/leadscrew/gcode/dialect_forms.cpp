@@ -1,6 +1,7 @@
 #include <bit>
 #include <leadscrew/gcode/block_check.hpp>
 #include <leadscrew/gcode/dialect_forms.hpp>
+#include <leadscrew/gcode/offsets.hpp>
 
 namespace leadscrew::gcode {
 
@@ -48,8 +49,8 @@ constexpr std::array<FormRow, static_cast<std::size_t>(Form::count)> all_forms =
     {Form::rapid_at_start, {in_haas, in_grbl}, "G0 is in force where a program begins", "G90 X10 Y5"},
     {Form::incremental_letters,
      {in_fanuc_lathe},
-     "U and W are distances along X and Z, X and U of the diameter; of G10 they are added to the offset that it sets, "
-     "and C to its nose radius",
+     "U and W are distances along X and Z, X and U of the diameter; of G10 they are added to what it sets, "
+     "and C to the nose's radius",
      "G0 X20. Z2.\nU-2. W-1.\nG10 P4 U-0.02"},
     {Form::tool_with_offset,
      {in_fanuc_lathe},
@@ -226,6 +227,18 @@ void DialectForms::rewrite_cycle(Block& block, const TextLine& line) const {
   if (has(Form::repeats_by_k) && block.has('K') && !block.has('L')) move_word(block, 'K', 'L');
 }
 
+// What U and W of a turning program are added to, mm: where the tool stands, or, of G10, what it sets.
+base::AxisVector DialectForms::base_of_distances(const Block& block) const {
+  const base::AxisVector stands = frame_.to_program(frame_.position);
+  if (!block.is(Code::G10) || !block.has('L') || !block.has('P')) return stands;
+  if (block['L'] == 1) {
+    const machine::Tool* const tool = tools_.find(as_integer(block['P']).value_or(0));
+    return tool ? tool->offset : base::AxisVector{};
+  }
+  const std::optional<int> system = system_set_by(block, options_.dialect, modal_.system);
+  return system ? parameters_.system(*system).origin : stands;
+}
+
 // U, W and C of G10 without L are added to the offset that it sets.
 void DialectForms::rewrite_offset(Block& block, const LatheOffsetValues& before) const {
   rewrite_distances(block, before.offset);
@@ -245,13 +258,13 @@ void DialectForms::rewrite_distances(Block& block, const base::AxisVector& from)
   }
 }
 
-// U and W are distances from where the tool stands, but for those that a code of the block takes.
+// U and W are distances, but for those that a code of the block takes.
 void DialectForms::rewrite_turning(Block& block, const TextLine& line) const {
   const Code code = block.code(Group::nonmodal);
   if (code != Code::none && row(code).words.has('U')) return;
   const std::optional<LatheOffset> offset = code == Code::G10 ? lathe_offset_of(block) : std::nullopt;
   if (offset) return rewrite_offset(block, values_of(*offset, tools_));
-  rewrite_distances(block, frame_.to_program(frame_.position));
+  rewrite_distances(block, base_of_distances(block));
   const bool pecks = block.is(Code::G74_face) || block.is(Code::G75);
   if (!pecks && !block.is(Code::G76_profile)) return;
   // Depths that take no point: thousandths of a millimetre, or ten-thousandths of an inch.

@@ -64,6 +64,7 @@ class DialectForms : Part {
   void rewrite_home(Block& block) const;
   [[gnu::cold]] void rewrite_scale(Block& block, const TextLine& line) const;
   void rewrite_cycle(Block& block, const TextLine& line) const;
+  [[gnu::cold]] base::AxisVector base_of_distances(const Block& block) const;
   [[gnu::cold]] void rewrite_offset(Block& block, const LatheOffsetValues& before) const;
   void rewrite_distances(Block& block, const base::AxisVector& from) const;
   [[gnu::cold]] void rewrite_turning(Block& block, const TextLine& line) const;

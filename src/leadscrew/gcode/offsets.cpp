@@ -23,6 +23,15 @@ int home_of(const Block& block) {
 
 }  // namespace
 
+std::optional<int> system_set_by(const Block& block, Dialect dialect, int in_force) {
+  const bool is_further = is_further_system(block['L'], dialect);
+  const int least = is_further ? 1 : 0, most = is_further ? most_of_fanuc : Parameters::numbered_systems;
+  const std::optional<int> which = as_integer(block['P']);
+  if (!which || *which < least || *which > most) return std::nullopt;
+  if (is_further) return Parameters::numbered_systems + *which;
+  return *which == 0 ? in_force : *which;
+}
+
 void Offsets::set_tool_length(const Block& block) {
   if (!block.has(Group::tool_length)) return;
   const Code code = block.code(Group::tool_length);
@@ -143,18 +152,13 @@ void Offsets::select_system(const Block& block) {
   select_system(Parameters::numbered_systems + *which);
 }
 
-// The number of the coordinate system that G10 sets.
 std::optional<int> Offsets::system_of(const Block& block, int kind) {
-  const bool is_further = is_further_system(kind, options_.dialect);
-  const int least = is_further ? 1 : 0, most = is_further ? most_of_fanuc : Parameters::numbered_systems;
-  const std::optional<int> which = as_integer(block['P']);
-  if (!which || *which < least || *which > most) {
-    error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
-          is_further ? "1 to 300 for G54.1 P1 to P300" : "0 for the one in force, 1 to 9 for G54 to G59.3");
-    return std::nullopt;
-  }
-  if (is_further) return Parameters::numbered_systems + *which;
-  return *which == 0 ? modal_.system : *which;
+  const std::optional<int> number = system_set_by(block, options_.dialect, modal_.system);
+  if (number) return number;
+  error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
+        is_further_system(kind, options_.dialect) ? "1 to 300 for G54.1 P1 to P300"
+                                                  : "0 for the one in force, 1 to 9 for G54 to G59.3");
+  return std::nullopt;
 }
 
 // G10 L2 sets a system, G10 L20 sets it so that the tool stands at the coordinates given; with Fanuc and Haas, L20 sets

@@ -5,6 +5,10 @@
 
 namespace leadscrew::gcode {
 
+/// The number of the coordinate system that G10 L2 or L20 with P sets, as Offsets::select_system() takes it; P0 is the one in
+/// force. std::nullopt where P is none.
+std::optional<int> system_set_by(const Block& block, Dialect dialect, int in_force);
+
 class Offsets : Part {
  public:
   Offsets(const Context& context, Motion& motion) : Part(context), motion_(motion) {}
