@@ -68,18 +68,24 @@ TEST(CannedCycles, TapWithoutOverrides) {
   EXPECT_EQ(events_of("S1000 M3 F100 M49\n" + tap), "S M3 M49 M49 G33 M5 M4 G33 M5 M3 M2 ");
 }
 
-TEST(CannedCycles, TapInPecksAndLeaveFaster) {
-  EXPECT_EQ(story("S1000 M3\nG0 Z10\nF100\nG98 G84 X10 Z-5 R2 Q3 J2\nX20 Z-1\nM30\n", Dialect::haas),
-            "r10,0,10 r10,0,2 f10,0,-1 stop ccw f10,0,2 stop cw f10,0,-4 stop ccw f10,0,2 stop cw f10,0,-5 stop ccw "
-            "f10,0,2 stop cw r10,0,10 r20,0,10 r20,0,2 f20,0,-1 stop ccw f20,0,2 stop cw r20,0,10");
+// Feeds of the cut, and speeds of the spindle on the way out.
+void expect_taps(const std::string& text, Dialect dialect, const std::vector<double>& expected_feeds,
+                 const std::vector<double>& expected_speeds) {
   std::vector<double> feeds, speeds;
-  for (const Move& move : read_well("S600 M3\nG84 X10 Z-5 R2 F600 Q4 J3\nM30\n", in_dialect(Dialect::haas)).moves) {
+  for (const Move& move : read_well(text, in_dialect(dialect)).moves) {
     if (move.kind == Move::Kind::line && move.feed.mode != Feed::Mode::rapid) feeds.push_back(move.feed.value);
     if (move.kind == Move::Kind::event && move.event.kind == base::Event::Kind::spindle_counterclockwise)
       speeds.push_back(move.event.value);
   }
-  EXPECT_EQ(feeds, (std::vector<double>{10, 30, 10, 30}));
-  EXPECT_EQ(speeds, (std::vector<double>{1800, 1800}));
+  EXPECT_EQ(feeds, expected_feeds) << text;
+  EXPECT_EQ(speeds, expected_speeds) << text;
+}
+
+TEST(CannedCycles, TapInPecksAndLeaveFaster) {
+  EXPECT_EQ(story("S1000 M3\nG0 Z10\nF100\nG98 G84 X10 Z-5 R2 Q3 J2\nX20 Z-1\nM30\n", Dialect::haas),
+            "r10,0,10 r10,0,2 f10,0,-1 stop ccw f10,0,2 stop cw f10,0,-4 stop ccw f10,0,2 stop cw f10,0,-5 stop ccw "
+            "f10,0,2 stop cw r10,0,10 r20,0,10 r20,0,2 f20,0,-1 stop ccw f20,0,2 stop cw r20,0,10");
+  expect_taps("S600 M3\nG84 X10 Z-5 R2 F600 Q4 J3\nM30\n", Dialect::haas, {10, 30, 10, 30}, {1800, 1800});
   const auto problems = [](const std::string& words, Dialect dialect) {
     return read("S600 M3\nG84 X10 Z-5 R2 F600 " + words + "\nM30\n", in_dialect(dialect)).problems();
   };
@@ -87,6 +93,26 @@ TEST(CannedCycles, TapInPecksAndLeaveFaster) {
   EXPECT_EQ(problems("J10", Dialect::haas), "2:21 bad-value; ");
   EXPECT_EQ(problems("Q0", Dialect::haas), "2:21 bad-value; ");
   EXPECT_EQ(problems("Q2", Dialect::linuxcnc), "2:21 unused-word; ");
+}
+
+// Haas' J says how many times as fast, Fanuc's at which speed.
+TEST(CannedCycles, LeaveATapAsFastAsTheDialectSays) {
+  const std::string begin = "S600 M3\nG84 X10 Z-5 R2 F600 ", end = "\nX20 S800 M3\nM30\n";
+  expect_taps(begin + "J2" + end, Dialect::haas, {10, 20, 10, 20}, {1200, 1600});
+  expect_taps(begin + "J2" + end, Dialect::leadscrew, {10, 20, 10, 20}, {1200, 1600});
+  expect_taps(begin + "J1200" + end, Dialect::fanuc, {10, 20, 10, 15}, {1200, 1200});
+  expect_taps(begin + "J600" + "\nM30\n", Dialect::fanuc, {10, 10}, {600});
+  const auto problems = [&](const std::string& words) {
+    return read(begin + words + "\nX20\nS1000 M3 X30\nM30\n", in_dialect(Dialect::fanuc));
+  };
+  EXPECT_EQ(problems("J1200").problems(), "");
+  EXPECT_EQ(problems("J900").problems(), "4:1 bad-value; ");  // below 1000
+  EXPECT_EQ(problems("J1201").problems(), "2:21 bad-value; ");
+  EXPECT_EQ(problems("J599").problems(), "2:21 bad-value; ");
+  const Reading reading = problems("J2");
+  EXPECT_EQ(reading.problems(), "2:21 bad-value; ");
+  EXPECT_EQ(reading.diagnostics.front().message, "the spindle is to turn at J2 on the way out, at S600 in");
+  EXPECT_EQ(read("G84 X10 Z-5 R2 F600 J600\nM30\n", in_dialect(Dialect::fanuc)).problems(), "1:21 bad-value; ");
 }
 
 // Nothing waits for it, and it has the travel in a revolution that F and S give.

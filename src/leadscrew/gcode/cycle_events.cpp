@@ -25,24 +25,40 @@ bool CannedCycles::can_tap(const Block& block, const DrillCycle::Plan& plan) {
          pace_.can_brake(block, {from, first, *lead, speed, is_by_feed});
 }
 
-// Haas: pecks of Q, each followed by the way out to R, and J times as fast out as in.
+// Pecks of Q, each followed by the way out to R (Haas).
 void CannedCycles::plan_tap(const Block& block, DrillCycle::Plan& plan) {
-  constexpr double most_times = 9;
   if (block.has('Q')) series_->peck = block['Q'];
-  if (block.has('J')) series_->out_factor = block['J'];
   plan.peck = series_->peck.value_or(0) * frame_.length_unit;
-  plan.out_factor = series_->out_factor.value_or(1);
   if (series_->peck && !(plan.peck > 0 && (plan.r_level - plan.bottom) / plan.peck <= most_steps)) {
     error("bad-value", block.has('Q') ? block.column_of('Q') : motion_column(block),
           "the peck is " + text(plan.peck) + " mm", "above 0, and at most 100000 pecks to the bottom");
     series_->peck.reset();
     plan.peck = 0;
   }
-  if (plan.out_factor >= 1 && plan.out_factor <= most_times) return;
-  error("bad-value", block.has('J') ? block.column_of('J') : motion_column(block),
-        "the tap is to leave " + text(plan.out_factor) + " times as fast as it enters", "J from 1 to 9");
-  series_->out_factor.reset();
-  plan.out_factor = 1;
+  plan_way_out(block, plan);
+}
+
+// Haas: the tap leaves J times as fast as it enters. Fanuc ("Override during rigid tapping"): J is the speed of the spindle on
+// the way out; one that is not from S to twice S its controllers take for S, and here it is an error.
+void CannedCycles::plan_way_out(const Block& block, DrillCycle::Plan& plan) {
+  if (block.has('J')) series_->way_out = block['J'];
+  if (!series_->way_out) return;
+  const double given = *series_->way_out, speed = modal_.spindle_speed;
+  const bool is_speed = options_.dialect == Dialect::fanuc;
+  const double least = is_speed ? speed : 1, most = is_speed ? 2 * speed : 9;
+  if (least > 0 && given >= least && given <= most) {
+    plan.out_factor = given / least;
+    return;
+  }
+  const std::uint32_t column = block.has('J') ? block.column_of('J') : motion_column(block);
+  series_->way_out.reset();
+  if (is_speed) {
+    error("bad-value", column,
+          "the spindle is to turn at J" + text(given) + " on the way out, at S" + text(speed) + " in",
+          "J is its speed, from S to twice S: S600 and J1200 for twice as fast");
+  } else {
+    error("bad-value", column, "the tap is to leave " + text(given) + " times as fast as it enters", "J from 1 to 9");
+  }
 }
 
 // Of a step that is neither a move nor a dwell. False where it asks for nothing.

@@ -36,6 +36,7 @@ class CannedCycles : Part {
   void plan_pecks(const Block& block, DrillCycle::Plan& plan);
   void plan_aside(const Block& block, DrillCycle::Plan& plan);
   void plan_tap(const Block& block, DrillCycle::Plan& plan);
+  void plan_way_out(const Block& block, DrillCycle::Plan& plan);
   bool plan_levels(const Block& block, DrillCycle::Plan& plan);
   void plan_pattern(const Block& block, DrillCycle::Plan& plan);
   void plan_series(const Block& block, DrillCycle::Plan& plan);
@@ -57,7 +58,7 @@ class CannedCycles : Part {
     Code code = Code::none;
     double initial_level = 0;  // mm, machine coordinates
     std::optional<double> r, bottom, dwell, peck, first_peck, peck_step, least_peck, aside_first, aside_second, level,
-        out_factor;
+        way_out;  // J of a tap
     bool told_of_wall = false;
   };
 

@@ -13,6 +13,11 @@ constexpr std::string_view tool_vector =
 
 constexpr std::string_view one_spindle = "which spindle: 0, the one that there is";
 
+constexpr std::string_view way_out_of_tap =
+    "how many times as fast the tool leaves as it enters, 1 to 9; in fanuc speed of the spindle as it leaves, from S "
+    "to "
+    "twice S";
+
 // Of the codes from the first to the last in the order of gcode::Code; the first row that fits holds.
 struct Row {
   Code first, last;
@@ -75,8 +80,8 @@ constexpr Row rows[] = {
     {Code::G83, Code::G83, 'J', "by how much each peck is less than the one before (Haas)", length},
     {Code::G74, Code::G74, 'Q', "depth of a peck, the tool out to R between pecks", length},
     {Code::G84, Code::G84, 'Q', "depth of a peck, the tool out to R between pecks", length},
-    {Code::G74, Code::G74, 'J', "how many times as fast the tool leaves as it enters, 1 to 9", number},
-    {Code::G84, Code::G84, 'J', "how many times as fast the tool leaves as it enters, 1 to 9", number},
+    {Code::G74, Code::G74, 'J', way_out_of_tap, number},
+    {Code::G84, Code::G84, 'J', way_out_of_tap, number},
     {Code::G31, Code::G31, 'P', "which of four skip signals; here all are the probe's", number},
     {Code::G4, Code::G4, 'P', "how long; in some dialects milliseconds (see the forms)", seconds},
     {Code::G10, Code::G10, 'L',
