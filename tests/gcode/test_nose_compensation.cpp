@@ -176,6 +176,45 @@ TEST(NoseCompensation, TellsWhichBlocksItDoesNotFit) {
   EXPECT_EQ(problems("G0 X20.2 Z5.\nG70 P10 Q40\nM30\n" + taper("G42")), "6:5 cutter-entry; ");
 }
 
+// The nose touches the last face and the way back at once, radius · tan(a / 2) ahead of the face's end.
+TEST(NoseCompensation, TellsWhereTheWayBackCutsTheLastPieceShort) {
+  const auto finish = [](const std::string& start, const std::string& last) {
+    return "G0 X70. Z5.\nG42 G0 " + start + "\nG70 P10 Q40\nG40 G0 X100. Z50.\nM30\nN10 G0 X20.\nG1 Z-10. F0.1\n" +
+           "X30. Z-20. F0.2\nN40 G1 " + last + "\n";
+  };
+  const Reading reading = read_lathe(finish("X40.", "X50."));
+  EXPECT_EQ(reading.problems(), "11:5 cutter-return; ");
+  const double face_end = at(reading.lines()[5].end, base::Axis::X) + 0.4;
+  EXPECT_NEAR(face_end, 25 - 0.4 * std::tan(std::atan2(25, -5) / 2), 1e-9);
+  EXPECT_EQ(
+      reading.diagnostics.front().message,
+      "the nose leaves the contour 0.488 mm before its end: there the way back of G70 turns back on the side of the "
+      "tool");
+  EXPECT_EQ(reading.diagnostics.front().hint,
+            "start the cycle at or above the last X of the contour, or G40 in its last block");
+  EXPECT_EQ(problems(finish("X50.", "X50.")), "");
+  EXPECT_EQ(problems(finish("X52.", "X50.")), "");
+  EXPECT_EQ(problems(finish("X40.", "G40 X50.")), "");
+  const std::string cylinder = finish("X40.", "Z-40.");
+  EXPECT_EQ(problems(cylinder), "11:5 cutter-return; ");
+  EXPECT_EQ(first_hint(cylinder), "G40 in the last block of the contour, or a last block that leads off the work");
+  EXPECT_EQ(problems("G0 X40. Z5.\nG70 P10 Q40\nM30\n" + taper("G42")), "");
+}
+
+TEST(NoseCompensation, TellsTheSameOfBores) {
+  const auto finish = [](const std::string& start) {
+    return read("G10 P10007 R0.4 Q2\nT0707\nG97 S600 M3\nG0 X10. Z5.\nG41 G0 " + start +
+                    "\nG70 P10 Q40\nG40 G0 Z50.\nM30\nN10 G0 X40.\nG1 Z-20. F0.1\nN40 G1 X20.\n",
+                lathe());
+  };
+  const Reading reading = finish("X24.");
+  EXPECT_EQ(reading.problems(), "11:5 cutter-return; ");
+  EXPECT_EQ(reading.diagnostics.front().hint,
+            "start the cycle at or below the last X of the contour, or G40 in its last block");
+  EXPECT_EQ(finish("X20.").problems(), "");
+  EXPECT_EQ(finish("X18.").problems(), "");
+}
+
 // A contour with an error is not gone along, and does not leave compensation on.
 TEST(NoseCompensation, IsNoneOfContoursThatFail) {
   EXPECT_EQ(problems("G0 X50. Z5.\nG70 P10 Q40\nG42 G0 X60.\nG40 X70.\nM30\nN10 G0 G42 X20.\nG2 Z-10. R1. F0.1\n"

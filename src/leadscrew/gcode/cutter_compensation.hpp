@@ -45,6 +45,8 @@ class CutterCompensation : Part {
 
   /// Whether moves go through it: while it is on, and until the line behind G40.
   bool is_active() const { return is_on() || is_aside_ || tool_ || !kept_.empty(); }
+  /// How far aside of what is programmed the tool's middle goes, mm: to the left, or negative; 0 while it is off.
+  double aside() const { return is_on() && phase_ != Phase::passing ? aside_ : 0; }
   /// Whether moves are kept back. Before it ends: settle(), and take() all.
   bool keeps_back() const { return !kept_.empty(); }
   /// Decides what is kept back: no motion in the plane follows it.

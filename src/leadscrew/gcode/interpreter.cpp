@@ -95,6 +95,7 @@ void Interpreter::end_lathe_contour() {
     compensation_.set(compensation.block);
   }
   lathe_cycles_.end();
+  if (compensation_.aside() != 0) lathe_cycles_.check_way_back(compensation_.aside());
   if (is_compensated && !lathe_cycles_.will_end_compensation()) compensation_.end();
 }
 

@@ -47,6 +47,9 @@ class LatheCycles : Part {
   bool will_end_compensation() const { return compensated_ != all; }
   bool ends_compensation() const { return compensated_ == next_; }
   void compensation_has_ended() { compensated_ = all; }
+  /// The cycle has been planned, and compensation by so many mm to the left is on. Warning: `cutter-return`, where the way back
+  /// of G70 turns back on the tool's side, so that the contour's last piece is not cut to its end.
+  [[gnu::cold]] void check_way_back(double aside);
   /// The block that the move taken last is of, where it is one of G70; else null.
   const KeptPlace* place_of(const Move& move) const;
 
@@ -86,6 +89,7 @@ class LatheCycles : Part {
   void begin_compensation(const Block& block);
   bool place_profile(const std::vector<LatheMove>& moves);
   bool are_inside_uncompensated();
+  static PlanePoint direction_of(const Planned& move, PlanePoint start);
   std::vector<LatheMove> plan_profile();
   bool plan_profile_roughing(std::vector<LatheMove>& moves);
   bool plan_profile_passes(std::vector<LatheMove>& moves);

@@ -9,7 +9,9 @@
 // stands in the contour's first block, up to G40 of its last block, or to the way back. Roughing is not compensated.
 
 #include <algorithm>
+#include <cmath>
 #include <leadscrew/gcode/lathe_cycles.hpp>
+#include <leadscrew/numeric/functions.hpp>
 
 namespace leadscrew::gcode {
 
@@ -164,6 +166,38 @@ bool LatheCycles::are_inside_uncompensated() {
     if (!is_inside(base::Axis::X, box.low.second, box.high.second)) return false;
   }
   return true;
+}
+
+// The direction in which a move from `start` ends; of any length.
+PlanePoint LatheCycles::direction_of(const Planned& move, PlanePoint start) {
+  if (move.turn == 0) return {move.end.first - start.first, move.end.second - start.second};
+  return {move.turn * (move.center.second - move.end.second), move.turn * (move.end.first - move.center.first)};
+}
+
+// At an inner corner that turns by the angle a the nose touches both pieces radius · tan(a / 2) ahead of the corner. Up to a
+// right angle that is the corner of any face that the tool leaves at a right angle.
+void LatheCycles::check_way_back(double aside) {
+  const bool goes_back = block_.is(Code::G70_profile) && moves_.size() > 2 && moves_.back().block == 0;
+  if (!goes_back || will_end_compensation()) return;
+  const Planned& before = moves_[moves_.size() - 3];
+  const Planned& last = moves_[moves_.size() - 2];
+  const PlanePoint along = direction_of(last, before.end), back = direction_of(moves_.back(), last.end);
+  const double ahead = along.first * back.first + along.second * back.second;
+  const double to_left = along.first * back.second - along.second * back.first;
+  const double lengths = numeric::hypot(along.first, along.second) * numeric::hypot(back.first, back.second);
+  constexpr double rounding = 1e-9;  // of the cosine of a right angle
+  if (last.rapid || !(to_left * aside > 0) || ahead > -rounding * lengths) return;
+  const double missing = std::fabs(aside) * (lengths - ahead) / std::fabs(to_left);
+  const double shown = std::round(missing * 1e3) / 1e3;
+  const bool is_face = std::fabs(along.second) > std::fabs(along.first);
+  const std::string beyond = along.second > 0 ? "above" : "below";
+  const KeptPlace& place = places_[last.block];
+  const AtKeptPlace there(reporter_, place);
+  reporter_.warning("cutter-return", place.column,
+                    "the nose leaves the contour " + text(shown) +
+                        " mm before its end: there the way back of G70 turns back on the side of the tool",
+                    is_face ? "start the cycle at or " + beyond + " the last X of the contour, or G40 in its last block"
+                            : "G40 in the last block of the contour, or a last block that leads off the work");
 }
 
 const KeptPlace* LatheCycles::place_of(const Move& move) const {
