@@ -191,6 +191,21 @@ TEST(PatternRepeating, ComesNearer) {
       "r20.5,2.5 r10.5,0.5 f10.5,-9.5 f20.5,-9.5 r20,2");
 }
 
+// In a bore with a pocket both of its walls are moved alike: by W0.12 one is left, and one is cut so deep into.
+TEST(PatternRepeating, MovesTheContourAsAWhole) {
+  const auto bore = [](const std::string& left, const std::string& farthest) {
+    return story(head + "G0 X20. Z2.\nG73 " + farthest + " R2\nG73 P10 Q20 " + left +
+                     " F0.25\nN10 G0 X40.\nG1 Z-10. F0.1\n" + "X46. Z-10.1\nZ-20.\nX36. Z-24.\nN20 X22.\nM30\n",
+                 1);
+  };
+  EXPECT_EQ(bore("U-0.2 W0.12", "U-1. W0"),
+            "r8.9,2.12 r18.9,2.12 f18.9,-9.88 f21.9,-9.98 f21.9,-19.88 f16.9,-23.88 f9.9,-23.88 "
+            "r9.9,2.12 r19.9,2.12 f19.9,-9.88 f22.9,-9.98 f22.9,-19.88 f17.9,-23.88 f10.9,-23.88 r10,2");
+  EXPECT_EQ(bore("U-0.2", "U-1. W-0.5"),
+            "r8.9,1.5 r18.9,1.5 f18.9,-10.5 f21.9,-10.6 f21.9,-20.5 f16.9,-24.5 f9.9,-24.5 "
+            "r9.9,2 r19.9,2 f19.9,-10 f22.9,-10.1 f22.9,-20 f17.9,-24 f10.9,-24 r10,2");
+}
+
 TEST(Finishing, GoesAlongTheContourAtItsFeeds) {
   const Reading reading = read_well(head + "G0 X40. Z2.\nG70 P10 Q40\nG0 X60.\nM30\n" + step, lathe());
   EXPECT_EQ(story(reading, 1), "r10,2 f10,-10 f14,-10 f14,-20 f20,-20 r20,2 r30,2");

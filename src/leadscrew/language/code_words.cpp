@@ -116,7 +116,9 @@ constexpr Row rows[] = {
     {Code::G71_profile, Code::G73_profile, 'U',
      "what is left, of the diameter; in the block before depth of a cut, of G73 distance", length},
     {Code::G71_profile, Code::G73_profile, 'W',
-     "what is left along Z; in the block before depth of a cut of G72, of G73 distance", length},
+     "what is left along Z: the contour is moved by U/2 and W as a whole, and so into walls that face the other way; "
+     "in the block before depth of a cut of G72, of G73 distance",
+     length},
     {Code::G76_profile, Code::G76_profile, 'P',
      "height of the thread, 0.001 mm; in the block before six digits: passes at full depth, tenths of the lead that "
      "the thread runs out by, angle of the tip",
