@@ -91,7 +91,17 @@ TEST(CircularPockets, AreInInches) {
 TEST(CircularPockets, AreTransformed) {
   EXPECT_EQ(story("F200.\nG68 X0 Y0 R90.\nG12 I7. D1\nM30\n"), "a0,2@0,1- a0,2@0,0- a0,0@0,1-");
   EXPECT_EQ(story("F200.\nG101 X0\nG12 I7. D1\nM30\n"), "a-2,0@-1,0+ a-2,0@0,0+ a0,0@-1,0+");
-  EXPECT_EQ(story("F200.\nG51 X0 Y0 P3.\nG12 I7. D1\nM30\n"), "a6,0@3,0- a6,0@0,0- a0,0@3,0-");
+}
+
+// G51 scales the circle; the tool, of radius 5, stays as it is.
+TEST(CircularPockets, AreScaledButNotTheirTool) {
+  EXPECT_EQ(story("F200.\nG51 X0 Y0 P3.\nG12 I7. D1\nM30\n"), "a16,0@8,0- a16,0@0,0- a0,0@8,0-");
+  EXPECT_EQ(story("F200.\nG51 X0 Y0 P3.\nG13 I2. D1\nM30\n"), "a1,0@0.5,0+ a1,0@0,0+ a0,0@0.5,0+");
+  EXPECT_EQ(story("F200.\nG51 X0 Y0 P0.5\nG12 I20. D1\nM30\n"), "a5,0@2.5,0- a5,0@0,0- a0,0@2.5,0-");
+  EXPECT_EQ(story("F200.\nG51 X0 Y0 I-2. J2.\nG12 I7. D1\nM30\n"), "a-9,0@-4.5,0+ a-9,0@0,0+ a0,0@-4.5,0+");
+  const Reading small = read("F200.\nG51 X0 Y0 P0.5\nG12 I8. D1\nM30\n", with_tools());
+  EXPECT_EQ(small.problems(), "3:5 bad-value; ");
+  EXPECT_EQ(small.diagnostics.front().message, "G12 has I8, which G51 scales by 0.5, with a tool of radius 5 mm");
 }
 
 // Every point of the pocket is nearer to the tool's way than its radius, and none outside is.

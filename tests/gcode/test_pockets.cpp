@@ -50,6 +50,19 @@ TEST(Pockets, AreClearedLineByLine) {
   EXPECT_EQ(milled("Z-2. J4."), "r0,0,5 r10,6,5 r10,6,1 f10,6,-2 " + lines + outline + "r18,10,5 f18,10,9");
 }
 
+// G51 scales the contour; the tool, of radius 2, stays as it is.
+TEST(Pockets, AreScaledButNotTheirTool) {
+  const std::string head = "G0 Z5.\nG51 X0 Y0 ", cycle = "\nG150 P100 X10. Y6. R1. Z-2. I20. D1 F200.\n";
+  EXPECT_EQ(story(read_well(head + "I2. J2. K1." + cycle + rectangle, with_tool(4))),
+            "r0,0,5 r20,12,5 r20,12,1 f20,12,-2 f20,2,-2 f20,22,-2 f2,22,-2 f2,2,-2 f38,2,-2 f38,22,-2 "
+            "f20,22,-2 r20,22,5");
+  EXPECT_EQ(read(head + "I2. J1. K1." + cycle + rectangle, with_tool(4)).problems(), "3:1 unsupported-rotation; ");
+  const Reading large = read(head + "P0.5" + cycle + rectangle, with_tool(8));
+  EXPECT_EQ(large.problems(), "3:1 bad-contour; ");
+  EXPECT_EQ(large.diagnostics.front().message,
+            "G150: the tool of radius 4 mm does not get everywhere along the contour");
+}
+
 TEST(Pockets, AreClearedAlongY) {
   EXPECT_EQ(milled("Z-2. I8."),
             "r0,0,5 r10,6,5 r10,6,1 f10,6,-2 f10,2,-2 f10,10,-2 f2,10,-2 f2,2,-2 f10,2,-2 f18,2,-2 f18,10,-2 "

@@ -36,9 +36,12 @@ bool CircularPockets::plan(const Block& block, Radii& radii) {
   radii.last = block.has('K') ? block['K'] * unit - *cutter : radii.first;
   radii.step = block.value_or('Q', 0) * unit;
   if (!(radii.first > 0)) {
-    return error("bad-value", block.column_of('I'),
-                 code + " has I" + text(block['I']) + " with a tool of radius " + text(*cutter) + " mm",
-                 "I, the radius of the first circle, must be above that of the tool");
+    const double scale = cutter_.scale();
+    const std::string scaled = scale == 1 ? "" : ", which G51 scales by " + text(scale) + ",";
+    return error(
+        "bad-value", block.column_of('I'),
+        code + " has I" + text(block['I']) + scaled + " with a tool of radius " + text(*cutter * scale) + " mm",
+        "I, the radius of the first circle, must be above that of the tool");
   }
   if (radii.last < radii.first) {
     return error("bad-value", block.column_of('K'), code + " has K" + text(block['K']) + " and I" + text(block['I']),

@@ -19,7 +19,19 @@ std::optional<double> CutterRadius::of(const Block& block) {
   modal_.cutter = given;
   if (*number == 0) return 0;
   const std::optional<Cutter> cutter = of_tool(*number, column);
-  return cutter ? std::optional(std::fabs(cutter->radius)) : std::nullopt;
+  return cutter ? before_scaling(std::fabs(cutter->radius), motion_column(block)) : std::nullopt;
+}
+
+double CutterRadius::scale() const {
+  return std::fabs(frame_.transform().scale[0]);
+}
+
+// G51 scales what is programmed, and not the tool.
+std::optional<double> CutterRadius::before_scaling(double radius, std::uint32_t column) {
+  if (radius == 0 || scale() == std::fabs(frame_.transform().scale[1])) return radius / scale();
+  error("unsupported-rotation", column, "the radius of the tool where G51 scales X and Y differently",
+        "equal scales of X and Y, or D0");
+  return std::nullopt;
 }
 
 std::optional<Cutter> CutterRadius::of_tool(int number, std::uint32_t column) {

@@ -169,7 +169,7 @@ bool PocketCycle::close_contour() {
 }
 
 bool PocketCycle::offset_contours() {
-  const std::string tool = "the tool of radius " + text(plan_.cutter) + " mm";
+  const std::string tool = "the tool of radius " + text(plan_.cutter * cutter_.scale()) + " mm";
   const std::optional<Contour> finish = inside_of(contour_, plan_.cutter);
   if (!finish) {
     return refuse(tool + " does not get everywhere along the contour", "a smaller tool, or greater corners");

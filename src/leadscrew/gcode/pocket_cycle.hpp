@@ -36,7 +36,7 @@ class PocketCycle : Part {
  private:
   /// mm.
   struct Plan {
-    double cutter = 0;  ///< radius
+    double cutter = 0;  ///< radius, as a length of the program
     double step = 0;    ///< > 0
     bool steps_along_x = false;
     double allowance = 0;  ///< K ≥ 0
