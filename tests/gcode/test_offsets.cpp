@@ -52,6 +52,21 @@ TEST(G10L2, WithP0SetsTheSystemInForce) {
   EXPECT_EQ(last_end("G55\nG10 L2 P0 X10\nG54\nG55 G0 X1\nM2\n").x, 11);
 }
 
+// Haas' page of G10: "G10 L2 P1 G91 X60. moves offset G54 X-axis 60 mm to the right". LinuxCNC's sets what is given.
+TEST(G10L2, AddsUnderG91WithFanucAndHaas) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
+    const std::string further = dialect == Dialect::haas ? "G154 P3" : "G54.1 P3";
+    const std::string twice = "G10 L2 P1 X100. Y5.\nG91 G10 L2 P1 X6.\nG10 P1 L2 X-2.\nG90\n";
+    EXPECT_EQ(last_end(twice + "G0 X0 Y0\nM30\n", in_dialect(dialect)), (Point{104, 5, 0}));
+    EXPECT_EQ(last_end("G55\n" + twice + "G54 G0 X0 Y0\nM30\n", in_dialect(dialect)), (Point{104, 5, 0}));
+    EXPECT_EQ(
+        last_end("G10 L20 P3 X8.\nG91 G10 L20 P3 X1. Z2.\nG90 " + further + "\nG0 X0 Z0\nM30\n", in_dialect(dialect)),
+        (Point{9, 0, 2}));
+  }
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::leadscrew, Dialect::grbl, Dialect::mach3})
+    EXPECT_EQ(last_end("G10 L2 P1 X100\nG91 G10 L2 P1 X6\nG90 G0 X0\nM2\n", in_dialect(dialect)).x, 6);
+}
+
 TEST(G10L2, IsInTheUnitsInForce) {
   EXPECT_EQ(last_end("G20\nG10 L2 P1 X1\nG21\nG0 X1\nM2\n").x, 26.4);
 }

@@ -184,8 +184,11 @@ void Offsets::set_system(const Block& block) {
   if (has_registers() && !takes_only(block, words, "axes, and R, belong to a coordinate system")) return;
   CoordinateSystem system = parameters_.system(number);
   if (kind == 2 || has_registers()) {
-    for_each_axis_word(block, [&](base::Axis axis, double value) { system.origin[base::index(axis)] = value; });
-    if (block.has('R')) system.rotation = block['R'];
+    for_each_axis_word(block, [&](base::Axis axis, double value) {
+      double& held = system.origin[base::index(axis)];
+      held = set_by_g10(held, value);
+    });
+    if (block.has('R')) system.rotation = set_by_g10(system.rotation, block['R']);
   } else if (block.has('R')) {
     error("unused-word", block.column_of('R'), "G10 L20 does not take R", "R belongs to G10 L2");
     return;
@@ -215,6 +218,11 @@ bool Offsets::is_of_tool(int kind) const {
 // Fanuc and Haas keep geometry and wear in registers, whether or not there is such a tool.
 bool Offsets::has_registers() const {
   return is_of_fanuc_family(options_.dialect);
+}
+
+// Under G91 what G10 gives in Fanuc's and Haas' dialects is added to what is held.
+double Offsets::set_by_g10(double held, double given) const {
+  return has_registers() && modal_.distance == Distance::incremental ? held + given : given;
 }
 
 void Offsets::set_local(const Block& block) {

@@ -54,6 +54,7 @@ class Offsets : Part {
   void set_tool(const Block& block, int kind);
   bool is_of_tool(int kind) const;
   bool has_registers() const;
+  double set_by_g10(double held, double given) const;
   machine::Tool tool_to_set(int number) const;
   bool set_shape(const Block& block, machine::Tool& tool);
   bool set_orientation(const Block& block, machine::Tool& tool);

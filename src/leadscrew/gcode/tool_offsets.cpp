@@ -72,12 +72,11 @@ bool Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
   const std::string code = "G10 L" + std::to_string(kind), example = code + " P1 R" + (kind % 2 == 0 ? "50." : "-0.1");
   if (!takes_only(block, "R", "R alone is what " + code + " sets: " + example)) return false;
   if (!block.has('R')) return error("missing-word", block.column_of(Group::nonmodal), code + " lacks R", example);
-  const bool adds = modal_.distance == Distance::incremental;
   const double value = block['R'] * frame_.length_unit;
-  const auto set = [&](double& held) { held = adds ? held + value : value; };
+  const auto set = [&](double& held) { held = set_by_g10(held, value); };
   if (kind == 10) set(tool.offset[base::index(base::Axis::Z)]);
   if (kind == 11) set(tool.wear[base::index(base::Axis::Z)]);
-  if (kind == 12) tool.diameter = std::fabs(adds ? tool.diameter + 2 * value : 2 * value);
+  if (kind == 12) tool.diameter = std::fabs(set_by_g10(tool.diameter, 2 * value));
   if (kind == 13) set(tool.radius_wear);
   return true;
 }

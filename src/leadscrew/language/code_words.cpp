@@ -86,7 +86,8 @@ constexpr Row rows[] = {
     {Code::G4, Code::G4, 'P', "how long; in some dialects milliseconds (see the forms)", seconds},
     {Code::G10, Code::G10, 'L',
      "what is set: 1, 10, 11 tools, 2, 20 coordinate systems; of LinuxCNC also 0, without P: the table of tools is "
-     "read again; of fanuc and haas also 12, 13; in fanuc-lathe without L the offset P",
+     "read again; of fanuc and haas also 12, 13, and under G91 what stands there is added; in fanuc-lathe without L "
+     "the offset P",
      number},
     {Code::G10, Code::G10, 'P',
      "which tool, or which system: 1 to 9, 0 for the one in force; in fanuc-lathe without L the wear of offset 1 to "
