@@ -145,6 +145,7 @@ TEST(CutterCompensation, IsNotMovedByWordsOfFanucsFamily) {
   EXPECT_EQ(problems(haas + "G10 L20 P1 Y5.", with_tool(4, Dialect::haas)), "6:1 cutter-compensation; ");
   EXPECT_EQ(problems(mill + "G10 L20 P1 Y5.", with_tool(4, Dialect::fanuc)), "6:1 cutter-compensation; ");
   EXPECT_EQ(problems(mill + "G10 L20 P2 Y5.\nG10 L2 P1 Y5.", with_tool(4, Dialect::fanuc)), "");
+  EXPECT_EQ(problems(mill + "G10 L2 P0 Y5.", with_tool(4, Dialect::fanuc)), "6:1 cutter-compensation; ");
   EXPECT_EQ(problems(mill + "X30. D7", with_tool(4, Dialect::fanuc)), "");
   EXPECT_EQ(problems(mill + "X30. D2", with_tool(4, Dialect::fanuc)), "6:6 unused-word; ");
   const std::string lathe = "T0707\nG98 G0 X60. Z5.\nG42 G1 X40. Z2. F200.\nZ-10.\n";

@@ -67,6 +67,33 @@ TEST(G10L2, AddsUnderG91WithFanucAndHaas) {
     EXPECT_EQ(last_end("G10 L2 P1 X100\nG91 G10 L2 P1 X6\nG90 G0 X0\nM2\n", in_dialect(dialect)).x, 6);
 }
 
+// Fanuc's external offset is its own; Haas' is what G52 sets.
+TEST(G10L2, WithP0ShiftsAllSystemsOfFanucAndHaas) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas, Dialect::fanuc_lathe}) {
+    const Conditions conditions = in_dialect(dialect);
+    const bool is_haas = dialect == Dialect::haas;
+    const auto z_at = [&](const std::string& blocks) { return last_end(blocks + "\nM30\n", conditions).z; };
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG54 G0 Z0"), 7);
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG55 G0 Z0"), 7);
+    EXPECT_EQ(z_at("G55\nG10 L2 P0 Z7.\nG0 Z0"), 7);
+    EXPECT_EQ(z_at("G10 L2 P1 Z100.\nG10 L2 P0 X0 Y0 Z0\nG0 Z0"), 100);
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG10 L2 P1 Z100.\nG0 Z0"), 107);
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG10 L20 P4 Z100.\n" + std::string(is_haas ? "G154 P4" : "G54.1 P4") + "\nG0 Z0"),
+              107);
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG53 G0 Z3."), 3);
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG52 Z2.\nG0 Z0"), is_haas ? 2 : 9);
+    EXPECT_EQ(z_at("G52 Z2.\nG10 L2 P0 Z0\nG0 Z1."), is_haas ? 1 : 3);
+    const std::string two_more = dialect == Dialect::fanuc_lathe ? "G10 L2 P0 W2.\n" : "G91 G10 L2 P0 Z2.\nG90\n";
+    EXPECT_EQ(z_at("G10 L2 P0 Z7.\nG10 L2 P1 Z50.\n" + two_more + "G0 Z0"), 59);
+    EXPECT_EQ(read("G10 L2 P0 Z7. R5.\nM30\n", conditions).problems(), "1:15 unused-word; ");
+    const Reading none = read("G10 L2 P10 Z7.\nM30\n", conditions);
+    ASSERT_EQ(none.problems(), "1:8 bad-value; ");
+    EXPECT_EQ(none.diagnostics.front().hint, "1 to 6 for G54 to G59, 0 for the offset that shifts all of them");
+  }
+  for (const Dialect dialect : {Dialect::linuxcnc, Dialect::grbl, Dialect::mach3})
+    EXPECT_EQ(last_end("G10 L2 P0 X7\nG55 G0 X0 Y1\nM2\n", in_dialect(dialect)), (Point{0, 1, 0}));
+}
+
 TEST(G10L2, IsInTheUnitsInForce) {
   EXPECT_EQ(last_end("G20\nG10 L2 P1 X1\nG21\nG0 X1\nM2\n").x, 26.4);
 }

@@ -56,10 +56,11 @@ TEST(ParameterFile, SaysWhatHoldsWhereAProgramBegins) {
   EXPECT_EQ(at(read_well("G0 X1\nM2\n", conditions).lines()[0].end, base::Axis::X), 1);
 }
 
-std::vector<NumberedValue> kept_by(std::string_view text, std::vector<NumberedValue> before = {}) {
+std::vector<NumberedValue> kept_by(std::string_view text, std::vector<NumberedValue> before = {},
+                                   Dialect dialect = Dialect::leadscrew) {
   std::vector<NumberedValue> kept;
   int calls = 0;
-  Conditions conditions;
+  Conditions conditions = in_dialect(dialect);
   conditions.options.parameters = std::move(before);
   conditions.options.parameters_at_end = [&](const std::vector<NumberedValue>& values) {
     kept = values;
@@ -91,6 +92,14 @@ TEST(ParameterFile, KeepsOffsetsAndWhatItHeldBefore) {
   // Nine places of G28 and of G30, G92 and its nine, the system, and ten of each of nine systems; two more.
   EXPECT_EQ(kept.size(), 9u + 9 + 1 + 9 + 1 + 9 * 10 + 2);
   EXPECT_EQ(read_parameter_file(parameter_file_text(kept), {}).values, kept);
+}
+
+TEST(ParameterFile, KeepsWhatShiftsAllSystems) {
+  EXPECT_EQ(value_in(kept_by("G10 L2 P0 Z7.\nM30\n", {}, Dialect::fanuc), 5203), 7);
+  EXPECT_EQ(value_in(kept_by("G10 L2 P0 Z7.\nM30\n", {}, Dialect::haas), 5213), 7);
+  Conditions conditions = in_dialect(Dialect::fanuc);
+  conditions.options.parameters = {{5203, 7}};
+  EXPECT_EQ(at(read_well("G0 Z1.\nM30\n", conditions).lines()[0].end, base::Axis::Z), 8);
 }
 
 TEST(ParameterFile, IsNotWrittenBehindAnError) {

@@ -111,6 +111,7 @@ TEST(TiltedPlane, IsToldByTurnsAboutFixedAxes) {
   Conditions haas = conditions;
   haas.options.dialect = Dialect::haas;
   expect_place(last_end("G268 I90 J90 Q213\nG253\nG0 X1. Y0. Z0.\nM2\n", haas), {100, 1, -100, 0, 90, 0});
+  EXPECT_EQ(read("G268 I90 J90 Q213\nG10 L2 P0 X1.\nM2\n", haas).problems(), only("2:1", "tilted-plane"));
 }
 
 TEST(TiltedPlane, IsToldByPointsAndByVectors) {

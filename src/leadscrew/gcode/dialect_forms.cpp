@@ -235,6 +235,7 @@ base::AxisVector DialectForms::base_of_distances(const Block& block) const {
     const machine::Tool* const tool = tools_.find(as_integer(block['P']).value_or(0));
     return tool ? tool->offset : base::AxisVector{};
   }
+  if (sets_shift_of_all(block, options_.dialect)) return parameters_.axes(Parameters::external_offset);
   const std::optional<int> system = system_set_by(block, options_.dialect, modal_.system);
   return system ? parameters_.system(*system).origin : stands;
 }

@@ -32,6 +32,11 @@ std::optional<int> system_set_by(const Block& block, Dialect dialect, int in_for
   return *which == 0 ? in_force : *which;
 }
 
+bool sets_shift_of_all(const Block& block, Dialect dialect) {
+  return is_of_fanuc_family(dialect) && block.has('L') && block.has('P') && as_integer(block['L']) == 2 &&
+         as_integer(block['P']) == 0;
+}
+
 void Offsets::set_tool_length(const Block& block) {
   if (!block.has(Group::tool_length)) return;
   const Code code = block.code(Group::tool_length);
@@ -131,7 +136,16 @@ void Offsets::begin() {
 void Offsets::select_system(int number) {
   modal_.system = number;
   if (number <= Parameters::numbered_systems) parameters_.set(Parameters::current_system, number);
-  frame_.set_system(parameters_.system(number));
+  frame_.set_system(shifted_system(number));
+}
+
+// With Fanuc's external offset, which is 0 elsewhere: Haas' is G52.
+CoordinateSystem Offsets::shifted_system(int number) const {
+  CoordinateSystem system = parameters_.system(number);
+  if (!has_registers() || options_.dialect == Dialect::haas) return system;
+  const base::AxisVector shift = parameters_.axes(Parameters::external_offset);
+  for (std::size_t i = 0; i < base::axis_count; ++i) system.origin[i] += shift[i];
+  return system;
 }
 
 void Offsets::select_system(const Block& block) {
@@ -155,9 +169,10 @@ void Offsets::select_system(const Block& block) {
 std::optional<int> Offsets::system_of(const Block& block, int kind) {
   const std::optional<int> number = system_set_by(block, options_.dialect, modal_.system);
   if (number) return number;
-  error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']),
-        is_further_system(kind, options_.dialect) ? "1 to 300 for G54.1 P1 to P300"
-                                                  : "0 for the one in force, 1 to 9 for G54 to G59.3");
+  const char* hint = "0 for the one in force, 1 to 9 for G54 to G59.3";
+  if (has_registers()) hint = "1 to 6 for G54 to G59, 0 for the offset that shifts all of them";
+  if (is_further_system(kind, options_.dialect)) hint = "1 to 300 for G54.1 P1 to P300";
+  error("bad-value", block.column_of('P'), "there is no coordinate system P" + text(block['P']), hint);
   return std::nullopt;
 }
 
@@ -177,6 +192,7 @@ void Offsets::set_system(const Block& block) {
     error("bad-value", block.column_of('L'), "G10 has L" + text(block['L']), levels_of_g10(options_.dialect));
     return;
   }
+  if (sets_shift_of_all(block, options_.dialect)) return set_shift_of_all(block);
   const std::optional<int> which = system_of(block, *kind);
   if (!which) return;
   const int number = *which;
@@ -205,7 +221,21 @@ void Offsets::set_system(const Block& block) {
     }
   }
   parameters_.set_system(number, system);
-  if (number == modal_.system) frame_.set_system(system);
+  if (number == modal_.system) frame_.set_system(shifted_system(number));
+}
+
+// Fanuc's external offset; Haas keeps it in the register of G52.
+void Offsets::set_shift_of_all(const Block& block) {
+  if (!takes_only(block, "XYZABCUVW", "axes belong to the offset of all systems, R to one of them")) return;
+  const bool is_local = options_.dialect == Dialect::haas;
+  base::AxisVector shift = is_local ? frame_.shift() : parameters_.axes(Parameters::external_offset);
+  for_each_axis_word(block, [&](base::Axis axis, double value) {
+    double& held = shift[base::index(axis)];
+    held = set_by_g10(held, value);
+  });
+  if (is_local) return put_local(shift);
+  parameters_.set_axes(Parameters::external_offset, shift);
+  frame_.set_system(shifted_system(modal_.system));
 }
 
 // Whether G10 of this L sets a tool. Lathes of Fanuc do that without L.
@@ -228,6 +258,10 @@ double Offsets::set_by_g10(double held, double given) const {
 void Offsets::set_local(const Block& block) {
   base::AxisVector shift = frame_.shift();
   for_each_axis_word(block, [&](base::Axis axis, double value) { shift[base::index(axis)] = value; });
+  put_local(shift);
+}
+
+void Offsets::put_local(const base::AxisVector& shift) {
   parameters_.set_axes(Parameters::g92_shift, shift);
   parameters_.set(Parameters::g92_active, 1);
   frame_.set_shift(shift);

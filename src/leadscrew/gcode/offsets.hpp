@@ -8,6 +8,8 @@ namespace leadscrew::gcode {
 /// The number of the coordinate system that G10 L2 or L20 with P sets, as Offsets::select_system() takes it; P0 is the one in
 /// force. std::nullopt where P is none.
 std::optional<int> system_set_by(const Block& block, Dialect dialect, int in_force);
+/// Whether it is G10 L2 P0 of Fanuc's and Haas' dialects, which sets what shifts all coordinate systems.
+bool sets_shift_of_all(const Block& block, Dialect dialect);
 
 class Offsets : Part {
  public:
@@ -63,6 +65,9 @@ class Offsets : Part {
   bool takes_only(const Block& block, Letters words, const std::string& hint);
   base::AxisVector offset_to_reach(const Block& block, int kind, const base::AxisVector& before) const;
   std::optional<int> system_of(const Block& block, int kind);
+  CoordinateSystem shifted_system(int number) const;
+  void set_shift_of_all(const Block& block);
+  void put_local(const base::AxisVector& shift);
 
   Motion& motion_;
   bool told_of_table_ = false;

@@ -34,6 +34,7 @@ class Parameters {
   static constexpr std::size_t most_hidden_names = 100'000;  ///< by the calls under way, together
   static constexpr int g28_home = 5161;                      ///< first of nine: axes X Y Z A B C U V W
   static constexpr int g30_home = 5181;
+  static constexpr int external_offset = 5201;  ///< Fanuc's, of nine axes: added to all coordinate systems
   static constexpr int g92_active = 5210;
   static constexpr int g92_shift = 5211;
   static constexpr int current_system = 5220;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <leadscrew/gcode/offsets.hpp>
 #include <leadscrew/gcode/tilted_planes.hpp>
 #include <leadscrew/kinematics/solutions.hpp>
 
@@ -270,7 +271,9 @@ void TiltedPlanes::check(const Block& block) {
   const double level = block.value_or('L', 0);
   const bool calls_position =
       code == Code::G92 || code == Code::G92_1 || code == Code::G92_2 || code == Code::G92_3 || code == Code::G52;
-  if (calls_position || (code == Code::G10 && (level == 20 || level == 10 || level == 11)))
+  const bool sets_g52 =
+      code == Code::G10 && options_.dialect == Dialect::haas && sets_shift_of_all(block, options_.dialect);
+  if (calls_position || sets_g52 || (code == Code::G10 && (level == 20 || level == 10 || level == 11)))
     refuse(column, name(code), "before G68.2, or behind G69");
   if (block.has(Group::system) && !is_in_force(block))
     refuse(block.column_of(Group::system), name(block.code(Group::system)), "G69 before it");

@@ -90,7 +90,8 @@ constexpr Row rows[] = {
      "the offset P",
      number},
     {Code::G10, Code::G10, 'P',
-     "which tool, or which system: 1 to 9, 0 for the one in force; in fanuc-lathe without L the wear of offset 1 to "
+     "which tool, or which system: 1 to 9, 0 for the one in force; L2 P0 of fanuc, haas and fanuc-lathe sets what "
+     "shifts all systems, in haas the offset of G52; in fanuc-lathe without L the wear of offset 1 to "
      "99, 10001 to 10099 its geometry",
      number},
     {Code::G10, Code::G10, 'R',
