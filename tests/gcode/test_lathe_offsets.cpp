@@ -127,7 +127,7 @@ TEST(ToolRegisters, TakeRAlone) {
     return read(block + "\nM30\n", in_dialect(dialect)).problems();
   };
   for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
-    for (const std::string l : {"10", "11", "12", "13"}) {
+    for (const std::string l : {"01", "10", "11", "12", "13"}) {
       for (const std::string word : {"Q3", "I5", "J5", "Z5", "X5"}) {
         EXPECT_EQ(problems("G10 L" + l + " P1 R5. " + word, dialect), "1:16 unused-word; ") << l << word;
       }

@@ -144,6 +144,15 @@ TEST(ToolTable, OfFanucIsRegisters) {
             (Point{0, 0, 10}));
 }
 
+// Haas' page of G10: "L1 or L11 Tool wear offset amount (for H code)".
+TEST(ToolTable, OfFanucHasWearByL1) {
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
+    const Conditions conditions = in(dialect);
+    EXPECT_EQ(end_of("G10 L10 P1 R50.\nG10 L1 P1 R-0.5\nG43 H1 G0 Z0\nM30\n", conditions), (Point{0, 0, 49.5}));
+    EXPECT_EQ(end_of("G10 L11 P1 R-0.5\nG91 G10 L1 P1 R-0.5\nG90 G43 H1 G0 Z0\nM30\n", conditions), (Point{0, 0, -1}));
+  }
+}
+
 TEST(ToolLength, IsAdded) {
   EXPECT_EQ(end_of("G43 H1\nG43.2 H2\nG0 Z1\nM2\n", with_tools()), (Point{0, 0, 8}));
   EXPECT_EQ(read("G43.2\nM2\n", with_tools()).problems(), "1:1 missing-word; ");

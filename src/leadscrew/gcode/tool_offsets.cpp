@@ -1,5 +1,5 @@
-// Tools as G10 sets them: by LinuxCNC's L1, L10 and L11, in the registers of Fanuc's and Haas' L10 to L13, and as Fanuc's
-// lathes do, without L. The offset in force stays what it is until G43, or T of a lathe.
+// Tools as G10 sets them: by LinuxCNC's L1, L10 and L11, in the registers of Fanuc's and Haas' L1 and L10 to L13, and as
+// Fanuc's lathes do, without L. The offset in force stays what it is until G43, or T of a lathe.
 
 #include <bit>
 #include <cmath>
@@ -33,7 +33,7 @@ void Offsets::set_tool(const Block& block, int kind) {
     return;
   }
   machine::Tool tool = tool_to_set(*number);
-  if (has_registers() && kind != 1) {
+  if (has_registers() && (kind != 1 || options_.dialect != Dialect::fanuc_lathe)) {
     if (!set_register(block, kind, tool)) return;
   } else {
     tool.offset = offset_to_reach(block, kind, tool.offset);
@@ -67,7 +67,7 @@ bool Offsets::set_orientation(const Block& block, machine::Tool& tool) {
   return true;
 }
 
-// Fanuc: R of L10 is a length, of L11 its wear, of L12 a radius, of L13 its wear.
+// Fanuc: R of L10 is a length, of L11 and the older L1 its wear, of L12 a radius, of L13 its wear.
 bool Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
   const std::string code = "G10 L" + std::to_string(kind), example = code + " P1 R" + (kind % 2 == 0 ? "50." : "-0.1");
   if (!takes_only(block, "R", "R alone is what " + code + " sets: " + example)) return false;
@@ -75,7 +75,7 @@ bool Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
   const double value = block['R'] * frame_.length_unit;
   const auto set = [&](double& held) { held = set_by_g10(held, value); };
   if (kind == 10) set(tool.offset[base::index(base::Axis::Z)]);
-  if (kind == 11) set(tool.wear[base::index(base::Axis::Z)]);
+  if (kind == 11 || kind == 1) set(tool.wear[base::index(base::Axis::Z)]);
   if (kind == 12) tool.diameter = std::fabs(set_by_g10(tool.diameter, 2 * value));
   if (kind == 13) set(tool.radius_wear);
   return true;

@@ -95,8 +95,8 @@ constexpr Row rows[] = {
      "99, 10001 to 10099 its geometry",
      number},
     {Code::G10, Code::G10, 'R',
-     "turn of the system, degrees, or radius of the tool; of fanuc and haas as L says: length, its "
-     "wear, radius, its wear",
+     "turn of the system, degrees, or radius of the tool; of fanuc and haas as L10 to L13 say: length, its "
+     "wear, radius, its wear; L1 is L11 there",
      ""},
     {Code::G10, Code::G10, 'I', "angle of the tool's front", degrees},
     {Code::G10, Code::G10, 'J', "angle of the tool's back", degrees},
