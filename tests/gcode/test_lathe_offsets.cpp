@@ -121,6 +121,18 @@ TEST(ToolRegisters, HoldTheWearOfARadius) {
   EXPECT_NEAR(x_of_cut("G10 L12 P1 R5.\nG10 L13 P1 R-0.1\nG91 G10 L13 P1 R-0.2\nG90\n"), 15.3, 1e-12);
 }
 
+// A negative radius is on the other side, whichever register it comes from.
+TEST(ToolRegisters, KeepTheSignOfARadius) {
+  const std::string cut = "G0 X0 Y20.\nG41 D1 G1 X20. F100.\nY40.\nG40 X0\nM30\n";
+  for (const Dialect dialect : {Dialect::fanuc, Dialect::haas}) {
+    for (const std::string blocks :
+         {"G10 L12 P1 R-5.\n", "G10 L12 P1 R0.4\nG10 L13 P1 R-5.4\n", "G10 L12 P1 R-2.\nG91 G10 L12 P1 R-3.\nG90\n"}) {
+      const Reading reading = read_well(blocks + cut, in_dialect(dialect));
+      EXPECT_NEAR(at(reading.lines()[2].end, base::Axis::X), 25, 1e-12) << blocks;
+    }
+  }
+}
+
 // What has no meaning there is not passed over.
 TEST(ToolRegisters, TakeRAlone) {
   const auto problems = [](const std::string& block, Dialect dialect) {

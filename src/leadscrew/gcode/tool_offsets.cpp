@@ -2,7 +2,6 @@
 // Fanuc's lathes do, without L. The offset in force stays what it is until G43, or T of a lathe.
 
 #include <bit>
-#include <cmath>
 #include <leadscrew/gcode/lathe_offsets.hpp>
 #include <leadscrew/gcode/offsets.hpp>
 
@@ -76,7 +75,7 @@ bool Offsets::set_register(const Block& block, int kind, machine::Tool& tool) {
   const auto set = [&](double& held) { held = set_by_g10(held, value); };
   if (kind == 10) set(tool.offset[base::index(base::Axis::Z)]);
   if (kind == 11 || kind == 1) set(tool.wear[base::index(base::Axis::Z)]);
-  if (kind == 12) tool.diameter = std::fabs(set_by_g10(tool.diameter, 2 * value));
+  if (kind == 12) tool.diameter = set_by_g10(tool.diameter, 2 * value);
   if (kind == 13) set(tool.radius_wear);
   return true;
 }
