@@ -242,7 +242,8 @@ void BlockCheck::check_axes(const Block& block) {
 void BlockCheck::check_needs(const Block& block, Code code, std::uint32_t column) {
   std::uint32_t lacking = row(code).needs.bits & ~block.words;
   // Without L it sets an offset of a lathe.
-  if (code == Code::G10 && options_.dialect == Dialect::fanuc_lathe) lacking &= ~letter_bit('L');
+  const bool needs_l = code == Code::G10 && options_.dialect != Dialect::fanuc_lathe;
+  if (needs_l) lacking |= letter_bit('L') & ~block.words;
   const bool is_of_linuxcnc = options_.dialect == Dialect::linuxcnc || options_.dialect == Dialect::leadscrew;
   // The table of tools, which has no P.
   const bool reloads = code == Code::G10 && is_of_linuxcnc && block.has('L') && block['L'] == 0;

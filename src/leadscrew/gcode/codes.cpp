@@ -85,7 +85,7 @@ constexpr std::array<CodeRow, index(Code::count)> rows = {{
 
   g(Code::G4, 40, Group::nonmodal, all, "dwell", "NIST IR 6556, 3.5.4", "P", "P"),
   g(Code::G9, 90, Group::nonmodal, fanuc, "exact stop at the end of this block", fanuc_manual),
-  with_axes(g(Code::G10, 100, Group::nonmodal, no_marlin, "sets a coordinate system or a tool", manual, "PLRIJQ", "LP")),
+  with_axes(g(Code::G10, 100, Group::nonmodal, no_marlin, "sets a coordinate system or a tool", manual, "PLRIJQ", "P")),
   with_axes(g(Code::G12, 120, Group::nonmodal, {H, M}, "circular pocket, clockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
   with_axes(g(Code::G13, 130, Group::nonmodal, {H, M}, "circular pocket, counterclockwise; in mach3 a circle", haas_manual, "IKQLD", "I")),
   with_axes(g(Code::G28, 280, Group::nonmodal, all, "goes home, by the point given", "NIST IR 6556, 3.5.8")),
