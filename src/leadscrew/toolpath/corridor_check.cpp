@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <leadscrew/numeric/functions.hpp>
 #include <leadscrew/toolpath/corridor_check.hpp>
+#include <utility>
 
 namespace leadscrew::toolpath {
 
@@ -51,13 +52,17 @@ class Check {
     }
     shares_[leg] = std::max(shares_[leg], share);
     farthest_ = std::max(farthest_, goes_on(part, at) ? at.advance(part[3]) : greatest_advance(part, at));
+    if (leg + 1 == corridor_.legs.size()) return;
+    for (const Vector<D>& b : part) {
+      if (at.advance(b) >= at.length) ahead_ = std::max(ahead_, corridor_.legs[leg + 1].advance(b));
+    }
   }
 
   void pass(std::size_t joint, const Vector<D>& x) {
     const double off = size(between(corridor_.legs[joint].to, x));
     for (const std::size_t leg : {joint, joint + 1})
       shares_[leg] = std::max(shares_[leg], off / corridor_.legs[leg].margin);
-    farthest_ = 0;
+    farthest_ = std::max(std::exchange(ahead_, 0.0), corridor_.legs[joint + 1].advance(x));
   }
 
   std::vector<double> shares() const { return shares_; }
@@ -108,6 +113,7 @@ class Check {
   const Corridor<D>& corridor_;
   std::vector<double> shares_;
   double farthest_ = 0;  // along the leg
+  double ahead_ = 0;     // and along the next, of what is beyond its end
 };
 
 }  // namespace

@@ -368,7 +368,9 @@ void RacingLine::retreat(const Window& window) {
   } else {
     const double begun = is_moving_ ? begin_ / legs_[0].length : 0;
     // A window that ends in motion leaves the leg to the next.
-    const std::size_t count = is_moving_ ? 1 : window.end == CorridorEnd::moving ? window.count - 1 : window.count;
+    std::size_t count = is_moving_ ? 1 : window.end == CorridorEnd::moving ? window.count - 1 : window.count;
+    const std::vector<bool> ends = block_ends();
+    while (count < legs_.size() && !ends[count - 1]) ++count;  // no stop within a curve
     emit_exact(borders_[0] + begun * (borders_[1] - borders_[0]), borders_[count]);
     drop_before(count);
   }

@@ -14,6 +14,7 @@
 #include <leadscrew/machine/derivatives.hpp>
 #include <leadscrew/machine/machine.hpp>
 #include <leadscrew/toolpath/corridor.hpp>
+#include <leadscrew/toolpath/knot_removal.hpp>
 #include <leadscrew/toolpath/leg.hpp>
 #include <leadscrew/toolpath/reduction.hpp>
 #include <memory>
@@ -65,15 +66,12 @@ class RacingLine {
     std::size_t count = 0;  ///< of legs
   };
 
-  struct KnotRange {
-    std::size_t first = 0, last = 0;
-  };
-
   void take(Leg leg);
   void append(const CorridorLeg<3>& leg, double length);
   bool merge(const CorridorLeg<3>& line, double length, double speed);
   void advance(bool all);
   bool emit_long_start();
+  std::vector<bool> block_ends() const;
   bool stays(const Window& window) const;
   std::optional<Window> choose(bool all) const;
   double seconds_along(std::size_t leg) const;
@@ -89,7 +87,7 @@ class RacingLine {
   void retreat(const Window& window);
   void emit(const Plan& plan, std::size_t from, std::size_t to);
   void emit_exact(double from, double to);
-  std::vector<KnotRange> lines_of(const Plan& plan) const;
+  Nearness nearness_of(const Plan& plan) const;
   double time_at(const Plan& plan, double u) const;
   void drop_before(std::size_t leg);
   void give(Piece piece);

@@ -4,6 +4,7 @@
 #include <leadscrew/toolpath/corridor_start.hpp>
 #include <leadscrew/toolpath/event_marks.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
+#include <leadscrew/toolpath/knot_removal.hpp>
 #include <leadscrew/toolpath/racing_line.hpp>
 #include <leadscrew/toolpath/stretch.hpp>
 #include <leadscrew/toolpath/tuning.hpp>
@@ -15,21 +16,16 @@ namespace {
 
 using geometry::Point;
 
-/// mm: nearer to a line motion is on it. Where its spline ends there, direction has a step of that over the way of an interval.
-constexpr double on_line = 1e-12;
-
 /// A curve of the path from one time to another, in intervals.
 struct Timed {
   geometry::Curve curve;
   double from = 0, to = 0;
-  int cubed = 0;                          ///< a line from rest (1) or to rest (−1): s grows with the cube of time
-  const TimeSpline<3>* motion = nullptr;  ///< of another line: along it
+  int cubed = 0;  ///< a line from rest (1) or to rest (−1): s grows with the cube of time
 
   double length_at(double time) const {
     const double share = (time - from) / (to - from), length = geometry::length(curve);
     if (time <= from) return 0;
     if (time >= to) return length;
-    if (motion != nullptr) return std::clamp(size(between(motion->at(from), motion->at(time))), 0.0, length);
     if (cubed > 0) return share * share * share * length;
     if (cubed < 0) return (1 - (1 - share) * (1 - share) * (1 - share)) * length;
     const auto* const nurbs = std::get_if<geometry::Nurbs>(&curve);
@@ -63,37 +59,7 @@ double RacingLine::time_at(const Plan& plan, double u) const {
   return high;
 }
 
-/// Knots between which the motion is on one of the legs that are lines.
-std::vector<RacingLine::KnotRange> RacingLine::lines_of(const Plan& plan) const {
-  const std::vector<Place>& points = plan.motion.points;
-  const std::vector<double>& passes = plan.motion.passes;
-  std::vector<KnotRange> lines;
-  std::size_t k = 0;
-  for (std::size_t leg = 0; leg < plan.count; ++leg) {
-    const double until = leg < passes.size() ? passes[leg] : static_cast<double>(plan.motion.intervals());
-    const CorridorLeg<3>& line = legs_[leg];
-    const auto is_on = [&](const Place& point) {
-      const double s = dot(between(line.from, point), line.direction);
-      return size(between(along(line.from, s, line.direction), point)) <= on_line;
-    };
-    std::size_t first = k, on = 0;  // control points in a row, from the first on
-    for (; static_cast<double>(k) <= until && k < points.size(); ++k) {
-      if (line.is_arc || !is_on(points[k])) {
-        if (on > 3) lines.push_back({first, first + on - 3});
-        on = 0;
-      } else if (on++ == 0) {
-        first = k;
-      }
-    }
-    if (on > 3) lines.push_back({first, first + on - 3});
-  }
-  return lines;
-}
-
 namespace {
-
-/// Fewer knots of a line than that are no trouble.
-constexpr std::size_t fewest_straight = 16;
 
 Point point_of(const Vector<3>& place, Point others) {
   for (std::size_t i = 0; i < 3; ++i) others[i] = place[i];
@@ -106,41 +72,29 @@ std::optional<Timed> straight_part(const Point& from, const Point& to, double be
   return Timed{geometry::Line(from, to, length), begin, end, cubed};
 }
 
-void add_spline(const TimeSpline<3>& motion, std::size_t first, std::size_t last, const Point& others,
-                std::vector<Timed>& curves) {
+void add_spline(const TimeSpline<3>& motion, std::size_t first, std::size_t last, const Nearness& near,
+                const Point& others, std::vector<Timed>& curves) {
+  const SparseSpline sparse = without_needless_knots(motion, first, last, near);
   geometry::NurbsForm form;
   form.degree = 3;
-  for (std::size_t k = first; k <= last + 2; ++k) form.points.push_back(point_of(motion.points[k], others));
+  for (const Vector<3>& place : sparse.points) form.points.push_back(point_of(place, others));
   form.weights.assign(form.points.size(), 1.0);
-  for (std::size_t i = 0; i < form.points.size() + 4; ++i)
-    form.knots.push_back(static_cast<double>(first) + static_cast<double>(i) - 3);
+  form.knots = {sparse.knots.front() - 2, sparse.knots.front() - 1};
+  form.knots.insert(form.knots.end(), sparse.knots.begin(), sparse.knots.end());
+  form.knots.insert(form.knots.end(), {sparse.knots.back() + 1, sparse.knots.back() + 2});
   for (geometry::Nurbs& piece : fitted_pieces(form)) {
     const double begin = piece.first_parameter(), end = piece.last_parameter();
     curves.push_back({std::move(piece), begin, end});
   }
 }
 
-/// The motion between two knots; next to rest its first and last interval are straight. `lines`: where it is a line for long
-/// enough: as a spline that would have a break at every knot, and a window of the planner reach no farther than so many.
-template <typename KnotRange>
+/// The motion between two knots; next to rest its first and last interval are straight.
 std::vector<Timed> curves_of(const TimeSpline<3>& motion, std::size_t from, std::size_t to, bool from_rest,
-                             bool to_rest, const std::vector<KnotRange>& lines, const Point& others) {
+                             bool to_rest, const Nearness& near, const Point& others) {
   const std::size_t first = from + (from_rest ? 1 : 0), last = to - (to_rest ? 1 : 0);
   const auto at = [](std::size_t knot) { return static_cast<double>(knot); };
   std::vector<Timed> curves;
-  std::size_t done = first;
-  for (const KnotRange& line : lines) {
-    const std::size_t begin = std::max(line.first, done), end = std::min(line.last, last);
-    if (end < begin + fewest_straight) continue;
-    const auto part = straight_part(point_of(motion.at(at(begin)), others), point_of(motion.at(at(end)), others),
-                                    at(begin), at(end), 0);
-    if (!part) continue;
-    if (begin > done) add_spline(motion, done, begin, others, curves);
-    curves.push_back(*part);
-    curves.back().motion = &motion;
-    done = end;
-  }
-  if (last > done) add_spline(motion, done, last, others, curves);
+  if (last > first) add_spline(motion, first, last, near, others, curves);
   if (curves.empty()) return curves;
   if (from_rest) {
     const Point rest = point_of(motion.points[from], others);
@@ -172,12 +126,34 @@ std::vector<Mark> held(const std::vector<Mark>& marks, double end, double least)
 
 }  // namespace
 
+/// Of the legs at hand: is the end of each that of a block, or of a chord within a curve?
+std::vector<bool> RacingLine::block_ends() const {
+  std::vector<bool> ends;
+  auto source = sources_.begin();
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+    while (source != sources_.end() && source->u < borders_[leg + 1]) ++source;
+    ends.push_back(source == sources_.end() ? leg + 1 == legs_.size() : source->u == borders_[leg + 1]);
+  }
+  return ends;
+}
+
+Nearness RacingLine::nearness_of(const Plan& plan) const {
+  using namespace tuning::knot_removal;
+  Nearness near{unlimited, {}, 1};
+  if (stop_time() > many_to_stop * plan.motion.interval) near.longest_span = most_in_one;
+  for (std::size_t leg = 0; leg < plan.count; ++leg)
+    near.tolerance = std::min(near.tolerance, tolerance_share * legs_[leg].margin);
+  const double h = plan.motion.interval;
+  for (std::size_t i = 0; i < 3; ++i) near.jerk_step[i] = jerk_share * limits_.jerk[i] * h * h * h;
+  return near;
+}
+
 void RacingLine::emit(const Plan& plan, std::size_t from, std::size_t to) {
   const double begin = static_cast<double>(from), end = static_cast<double>(to);
   const bool is_end = to == plan.motion.intervals();
   const bool to_rest = is_end && plan.motion.points[to] == plan.motion.points[to + 2];
   const bool from_rest = !is_moving_ && from == 0;
-  const std::vector<Timed> curves = curves_of(plan.motion, from, to, from_rest, to_rest, lines_of(plan), others_);
+  const std::vector<Timed> curves = curves_of(plan.motion, from, to, from_rest, to_rest, nearness_of(plan), others_);
   std::vector<Mark> marks;
   std::vector<std::pair<double, base::Event>> events;
   for (const Source& source : sources_) {
