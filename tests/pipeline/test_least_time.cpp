@@ -138,34 +138,28 @@ TEST(LeastTime, IsNoSlowerThanWithStopsWhereATinyCornerFollowsALine) {
   }
 }
 
-/// Where no better motion was found than one that went to and fro along a curve, by more than the tolerance at the joints of
-/// its chords, it was taken; and where none was found, motion stopped within the curve.
-TEST(LeastTime, GoesNeitherBackNorSlowlyAlongACurveAtATinyTolerance) {
-  const machine::Machine machine = of_limits({{210, 9525, 112'700}, {1126, 2703, 8936}}, 500'000);
-  const std::string text =
-      "G21 G90 G17 G94 F6000\nG64 P0.0005323\nG1 X0.92929 Y-4.39809\nG5.2 X0.908175 Y-7.448587 P0.729\n"
-      "X-1.922164 Y-9.424488 P1.942\nX0.646969 Y-21.947798 P1.315\nX14.682831 Y-34.651137 P1.306\nG5.3\nM2\n";
-  gcode::ReaderOptions with_stops;
-  with_stops.path_mode = gcode::PathMode::exact_stop;
-  const Outcome outcome = run_on(machine, text);
-  EXPECT_TRUE(keeps_promises(outcome));
-  EXPECT_LE(outcome.summary.time_s, run_on(machine, text, with_stops).summary.time_s + 0.001);
-}
-
-/// At tolerances of a micrometre intervals are so short that jerk hardly changes from one to the next: with a knot of the path
-/// at each, a window of the planner saw less of it than the slowest axis takes to stop.
-TEST(LeastTime, IsNoSlowerThanWithStopsAtATinyTolerance) {
+/// Within less than a micrometre it was slower than with stops, and planning took longer than motion; splines are neither.
+TEST(LeastTime, IsLeftToSplinesWithinLessThanAMicrometre) {
   const machine::Machine machine =
       of_limits({{18.56, 3036, 79'180}, {32.77, 2042, 40'480}, {359.5, 2988, 10'930}}, 1'000'000);
-  const std::string text =
-      "G21 G90 G17 G94 F6000\nG64 P0.0004781\nG1 X0.46812 Y-1.81941 Z-0.977323\nX3.822646 Y-6.328161 Z-2.86291\n"
+  machine::Machine by_splines = machine;
+  by_splines.smoothing = machine::Smoothing::splines;
+  const std::string moves =
+      "G1 X0.46812 Y-1.81941 Z-0.977323\nX3.822646 Y-6.328161 Z-2.86291\n"
       "G5.2 X4.735410 Y-7.570376 P1.241\nX6.541917 Y-7.322047 P1.224\nG5.3\nG1 X1.181224 Y-0.116846 Z-4.70565\n"
       "X0.705161 Y3.065198 Z-5.306436\nX0.16858 Y5.166993 Z-4.93593\nX1.202059 Y1.118842 Z-2.42379\nM2\n";
   gcode::ReaderOptions with_stops;
   with_stops.path_mode = gcode::PathMode::exact_stop;
-  const Outcome outcome = run_on(machine, text);
-  EXPECT_TRUE(keeps_promises(outcome));
-  EXPECT_LE(outcome.summary.time_s, run_on(machine, text, with_stops).summary.time_s);
+  const auto time_of = [&](const machine::Machine& of, const std::string& tolerance) {
+    const Outcome outcome = run_on(of, "G21 G90 G17 G94 F6000\nG64 " + tolerance + '\n' + moves);
+    EXPECT_TRUE(keeps_promises(outcome)) << tolerance;
+    return outcome.summary.time_s;
+  };
+  const double stopping = run_on(machine, "G21 G90 G17 G94 F6000\n" + moves, with_stops).summary.time_s;
+  EXPECT_LE(time_of(machine, "P0.00099"), stopping);
+  EXPECT_EQ(time_of(machine, "P0.00099"), time_of(by_splines, "P0.00099"));
+  EXPECT_LE(time_of(machine, "P0.001"), stopping);
+  EXPECT_NE(time_of(machine, "P0.001"), time_of(by_splines, "P0.001"));
 }
 
 /// Intervals as short as a corner asks were a hundred thousand along a curve at a low feed, and planning took longer than

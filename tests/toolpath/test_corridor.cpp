@@ -51,6 +51,26 @@ RC_GTEST_PROP(CorridorLegs, HaveTheirNearestPlaces, ()) {
   RC_ASSERT(std::abs(leg.advance(x) - where) <= 3 * leg.length / looks + 0.5 * (1 - std::cos(least)));
 }
 
+/// Beyond a joint by 0.9 margins and back to as much before it: what lies behind it is 1.8 from where motion had been.
+TEST(CorridorCheck, CountsWhatGoesBackOverAJoint) {
+  constexpr double margin = 0.1;
+  Corridor<2> corridor;
+  corridor.limits = mill;
+  corridor.legs = {line_leg<2>({0, 0}, {10, 0}, margin, 100), line_leg<2>({10, 0}, {20, 0}, margin, 100)};
+  const auto greatest_share = [&](double ahead, double back) {
+    TimeSpline<2> motion;
+    for (const double x : {0.0, 0.0, 0.0, 5.0, 9.0, ahead, ahead, ahead, back, back, back, 12.0, 20.0, 20.0, 20.0})
+      motion.points.push_back({x, 0});
+    double pass = 0;
+    while (motion.at(pass)[0] < 10) pass += 0.001;
+    motion.passes = {pass};
+    const std::vector<double> shares = shares_of_margins(corridor, motion);
+    return *std::max_element(shares.begin(), shares.end());
+  };
+  EXPECT_GT(greatest_share(10 + 0.9 * margin, 10 - 0.9 * margin), 1.7);
+  EXPECT_LT(greatest_share(10 + 0.9 * margin, 10 + 0.9 * margin), 1);
+}
+
 Corridor<2> zigzag(double margin) {
   Corridor<2> corridor;
   corridor.limits = mill;

@@ -148,7 +148,7 @@ class KnotRemoval {
     return jets;
   }
 
-  /// Are there places where the spline is farther from the motion than it may be? What was merged there stays.
+  /// Where the spline is farther from the motion than it may be, knots stay; is there such a place where they did not yet?
   bool keep_where_off(const SparseSpline& sparse) {
     const std::vector<PlaceJet> jets = jets_of(sparse);
     bool is_off = false;

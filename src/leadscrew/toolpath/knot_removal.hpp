@@ -20,9 +20,9 @@ struct SparseSpline {
 
 /// How far such a spline may be from the motion.
 struct Nearness {
-  double tolerance = 0;            ///< mm
-  Vector<3> jerk_step{};           ///< of the third derivative, in each coordinate, mm for each cube of an interval
-  std::size_t longest_span = 256;  ///< intervals; 1: all knots stay
+  double tolerance = 0;          ///< mm
+  Vector<3> jerk_step{};         ///< of the third derivative, in each coordinate, mm for each cube of an interval
+  std::size_t longest_span = 1;  ///< intervals; 1: all knots stay
 };
 
 /// The motion from knot `first` to knot `last`, at least one interval; knots are times of the motion. At both ends position and

@@ -88,7 +88,8 @@ RacingLine::RacingLine(const machine::Machine& machine)
 }
 
 bool RacingLine::takes(const Leg& leg) {
-  if (leg.feed_axes != FeedAxes::none || leg.allowance.tolerance < least_tolerance || !may_be_fitted(leg)) return false;
+  if (leg.feed_axes != FeedAxes::none || leg.allowance.tolerance < finest_tolerance || !may_be_fitted(leg))
+    return false;
   for (const base::Axis axis : base::all_axes) {
     if (base::index(axis) >= 3 && geometry::moving(leg.curve).contains(axis)) return false;
   }
@@ -370,7 +371,7 @@ void RacingLine::retreat(const Window& window) {
     // A window that ends in motion leaves the leg to the next.
     std::size_t count = is_moving_ ? 1 : window.end == CorridorEnd::moving ? window.count - 1 : window.count;
     const std::vector<bool> ends = block_ends();
-    while (count < legs_.size() && !ends[count - 1]) ++count;  // no stop within a curve
+    while (count < legs_.size() && !ends[count - 1]) ++count;  // not within a curve
     emit_exact(borders_[0] + begun * (borders_[1] - borders_[0]), borders_[count]);
     drop_before(count);
   }
