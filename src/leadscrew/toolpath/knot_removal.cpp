@@ -31,7 +31,7 @@ class KnotRemoval {
  public:
   KnotRemoval(const TimeSpline<3>& motion, std::size_t first, std::size_t last, const Nearness& near)
       : motion_(motion), first_(first), near_(near), is_fixed_(last - first, false) {
-    // Of these both ends have their derivatives.
+    // With two intervals as they are at each end, position and two derivatives there are the motion's.
     for (std::size_t k = 0; k < std::min<std::size_t>(2, is_fixed_.size()); ++k)
       is_fixed_[k] = is_fixed_[is_fixed_.size() - 1 - k] = true;
   }
@@ -97,8 +97,8 @@ class KnotRemoval {
     }
   }
 
-  /// The quasi-interpolant of de Boor and Fix: of position and two derivatives at each knot. It is the motion itself where no
-  /// knot is missing.
+  /// The quasi-interpolant of de Boor and Fix: of position and two derivatives at each knot. But for rounding it is the motion
+  /// itself where no knot is missing.
   SparseSpline interpolant() const {
     const double begin = static_cast<double>(first_);
     SparseSpline sparse;

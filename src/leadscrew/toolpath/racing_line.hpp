@@ -27,7 +27,7 @@ class RacingLine {
  public:
   explicit RacingLine(const machine::Machine& machine);
 
-  /// Is it a leg in X, Y and Z alone that may be fitted?
+  /// Is it a leg in X, Y and Z alone that may be fitted, within a micrometre or more?
   static bool takes(const Leg& leg);
 
   /// Of the leg's allowance, P of G64, mm: no point of the path lies farther from what was programmed there, and no point
