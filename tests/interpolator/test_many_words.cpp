@@ -220,6 +220,38 @@ TEST(ManyWords, LeaveOutTheStepsThatOneByOneLeavesOut) {
   compare({one_segment(segment, 100)}, base::Period{15'625'000}, 6);
 }
 
+TEST(ManyWords, AreThoseOfOneByOneWhereSegmentsEndOnTicksOrBesideThem) {
+  std::mt19937 random(11);
+  const auto draw = [&](std::int64_t from, std::int64_t to) {
+    return std::uniform_int_distribution<std::int64_t>(from, to)(random);
+  };
+  for (const std::int64_t nanoseconds : {1, 1000, 37'000, 1'000'000}) {
+    for (int n = 0; n < 50; ++n) {
+      planner::Chunk chunk = one_segment({}, 1e6);
+      chunk.segments.clear();
+      // Once late: at rest before that.
+      std::int64_t tick = n == 0 ? 300'000 : 0;
+      planner::Segment segment;
+      segment.state = base::MotionState::rest;
+      for (int k = 0; k < 30; ++k) {
+        const std::int64_t ticks = k == 0 && n == 0 ? tick : draw(1, 40);
+        tick = k == 0 ? ticks : tick + ticks;
+        const numeric::DoubleDouble end =
+            numeric::DoubleDouble(static_cast<double>(tick * nanoseconds)) / numeric::DoubleDouble(1e9) +
+            numeric::DoubleDouble(static_cast<double>(draw(-2, 2)) * 1e-18);
+        segment.duration = end - segment.begin;
+        chunk.segments.push_back(segment);
+        segment.state = base::MotionState::constant;
+        segment.s0 = static_cast<double>(k + 1) * 100;
+        segment.v0 = 1 + static_cast<double>(k);
+        segment.begin = end;
+      }
+      chunk.duration = segment.begin;
+      ASSERT_NO_FATAL_FAILURE(compare({chunk}, base::Period{nanoseconds}, 3)) << nanoseconds << " ns, " << n;
+    }
+  }
+}
+
 TEST(ManyWords, OfAFullBlockOfAnySegmentsAreMadeByTheKernel) {
   const geometry::Curve curve = geometry::Line({}, {60, 0, 80}, 100);
   for (const Kernel kernel : interpolator::all_kernels) {
@@ -236,7 +268,7 @@ TEST(ManyWords, OfAFullBlockOfAnySegmentsAreMadeByTheKernel) {
       }
       ASSERT_TRUE(block.is_in_range());
       std::array<base::Word, interpolator::words_in_block> made;
-      EXPECT_TRUE(make_words(kernel, block, made.data())) << words;
+      EXPECT_TRUE(make_words(kernel, block, made)) << words;
     }
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <leadscrew/interpolator/interpolator.hpp>
 #include <leadscrew/interpolator/tick_time.hpp>
+#include <tuple>
 
 namespace leadscrew::interpolator {
 
@@ -35,14 +36,18 @@ std::size_t Interpolator::next(std::span<base::Word> words) {
   return made;
 }
 
-/// How many ticks from the next word's on, at most so many, lie before `end`, which that one does; maybe fewer.
+/// How many ticks from the next word's on, at most so many, lie before `end`, which that one does. Counted from the first
+/// word of all, so that it need not wait for where the segment before ends.
 std::size_t Interpolator::ticks_before(DoubleDouble end, std::size_t most) const {
-  const double estimate = (end - now_).hi * ticks_per_second_;
-  std::size_t count = estimate < static_cast<double>(most - 1) ? static_cast<std::size_t>(estimate) + 1 : most;
-  // Away from whole numbers the estimate, good to 1e-13 of itself, is right.
-  constexpr double doubtful = 1e-9;
-  if (estimate > static_cast<double>(count - 1) + doubtful) return count;
-  while (count > 1 && end <= time_of(after(tick_, count - 1), period_)) --count;  // the estimate is off by two at most
+  const double estimate = std::min(end.hi * ticks_per_second_, 0x1p62);
+  const double doubtful = 1e-15 * estimate;  // four roundings
+  const auto whole = static_cast<std::int64_t>(estimate);
+  const double fraction = estimate - static_cast<double>(whole);
+  const bool is_clear = doubtful < fraction && fraction < 1 - doubtful;
+  const std::int64_t greatest = whole - base::count(tick_) + (is_clear ? 1 : 2 + static_cast<std::int64_t>(doubtful));
+  std::size_t count = greatest > 1 ? std::min(static_cast<std::size_t>(greatest), most) : 1;
+  if (is_clear) return count;
+  while (count > 1 && end <= time_of(after(tick_, count - 1), period_)) --count;
   return count;
 }
 
@@ -66,7 +71,7 @@ std::size_t Interpolator::next_of_piece(std::span<base::Word> words) {
   // Along a line the same everywhere.
   if (piece.feed_axes != toolpath::FeedAxes::none) block.feed_rate = toolpath::rate(line->jets(0), piece.feed_axes);
   block.line = piece.line;
-  const Interpolator begin = *this;
+  const std::tuple begin(tick_, now_, segment_, segment_begin_, segment_end_, length_before_);
   while (block.count < most && !wants_chunk()) {
     const planner::Segment& segment = segment_at(now_);
     if (segment.piece != first.piece || segment.state == base::MotionState::rest) break;
@@ -75,8 +80,8 @@ std::size_t Interpolator::next_of_piece(std::span<base::Word> words) {
     tick_ = after(tick_, count);
     now_ = time_of(tick_, period_);
   }
-  if (block.count >= fewest_words && make_words(kernel_, block, words.data())) return block.count;
-  *this = begin;
+  if (block.count >= fewest_words && make_words(kernel_, block, words)) return block.count;
+  std::tie(tick_, now_, segment_, segment_begin_, segment_end_, length_before_) = begin;
   for (std::size_t k = 0; k < block.count; ++k) words[k] = next();
   return block.count;
 }

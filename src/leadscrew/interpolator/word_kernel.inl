@@ -75,16 +75,49 @@ LEADSCREW_LANEWISE Pair times(const geometry::Rate& rate, Pair s) {
   return {product.hi, product.lo + (rate.hi.value * s.lo + rate.lo * s.hi)};
 }
 
-/// Since the segment began, of the words from the `first`; of its last word, for lanes behind that.
-LEADSCREW_LANEWISE Pair tau_of(const Block& block, const Block::Stretch& stretch, std::size_t first, std::size_t end) {
-  const double last = static_cast<double>(end - 1);
-  Vector number = all(static_cast<double>(first));
-  for (std::size_t lane = 0; lane < lanes; ++lane) number[lane] += static_cast<double>(lane);
-  number = number < last ? number : all(last);
-  const Vector nanoseconds = block.nanoseconds + block.period * number;
-  const Pair product = two_product(all(nanosecond.hi), nanoseconds);
-  const Pair now = quick_two_sum(product.hi, product.lo + nanosecond.lo * nanoseconds);
-  return sum_of(now, {all(stretch.numbers[Block::begin_hi]), all(stretch.numbers[Block::begin_lo])});
+/// Fetches the memory of the words that will be made next, a little in every step: few lines can be on their way at once,
+/// and where all are, the processor waits. More can be on their way to the second cache than to the first.
+class Fetcher {
+ public:
+  LEADSCREW_LANEWISE explicit Fetcher(std::span<const base::Word> words)
+      : next_(reinterpret_cast<const char*>(words.data())), end_(next_ + words.size_bytes()) {}
+  LEADSCREW_LANEWISE void fetch(std::size_t lines) {
+    if (next_ >= end_) return;
+    for (std::size_t k = 0; k < lines; ++k) __builtin_prefetch(next_ + k * line, 0, 2);
+    next_ += lines * line;
+  }
+
+ private:
+  static constexpr std::size_t line = 64;  // bytes that are fetched together
+  const char* next_;
+  const char* end_;
+};
+
+/// In each of four steps, for as many words as there are lanes: a little more than they take.
+constexpr std::size_t lines_in_step = lanes / 2;
+
+/// τ since each segment began, of all words; lanes behind the end of a segment have that of its last word, until the
+/// next segment's is written over it.
+LEADSCREW_LANEWISE void make_tau(const Block& block, Made& made, Fetcher& fetcher) {
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < block.stretch_count; ++k) {
+    const Block::Stretch& stretch = block.stretches[k];
+    const Pair minus_begin = {all(stretch.numbers[Block::begin_hi]), all(stretch.numbers[Block::begin_lo])};
+    const std::size_t end = begin + stretch.words;
+    const Vector last = all(static_cast<double>(static_cast<int>(end - 1)));
+    Vector number = all(static_cast<double>(static_cast<int>(begin)));
+    for (std::size_t lane = 0; lane < lanes; ++lane) number[lane] += static_cast<double>(lane);
+    for (std::size_t i = begin; i < end; i += lanes, number += static_cast<double>(lanes)) {
+      fetcher.fetch(lines_in_step);
+      const Vector nanoseconds = block.nanoseconds + block.period * (number < last ? number : last);
+      const Pair product = two_product(all(nanosecond.hi), nanoseconds);
+      const Pair now = quick_two_sum(product.hi, product.lo + nanosecond.lo * nanoseconds);
+      const Pair tau = sum_of(now, minus_begin);
+      store(&made.tau_hi[i], tau.hi);
+      store(&made.tau_lo[i], tau.lo);
+    }
+    begin = end;
+  }
 }
 
 struct Horner {
@@ -99,24 +132,17 @@ LEADSCREW_LANEWISE void step(Horner& sum, Vector tau, Vector coefficient) {
   sum.value = value.hi;
 }
 
-/// Says that as many words as there are lanes will be written here: memory has until then to be fetched.
-LEADSCREW_LANEWISE void expect(const base::Word* words) {
-  constexpr std::size_t line = 64;  // bytes that are fetched together
-  const char* const begin = reinterpret_cast<const char*>(words);
-  for (std::size_t byte = 0; byte < lanes * sizeof(base::Word); byte += line) __builtin_prefetch(begin + byte, 1);
-}
-
-/// s and speed of the words of a segment, of this degree, from `begin` to `end`; clears the lanes of `is_good` in which
-/// bits could differ. What lies behind the end, to fill a vector, is good for nothing: the next segment's is written over
-/// it.
+/// s, path length, speed and feed of the words of a segment, of this degree, from `begin` to `end`; clears the lanes of
+/// `is_good` in which bits could differ. What lies behind the end, to fill a vector, is good for nothing: the next segment's
+/// is written over it.
 LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stretch, std::size_t begin, double length,
-                                 int degree, Made& made, Mask& is_good, const base::Word* words) {
+                                 int degree, Made& made, Mask& is_good, Fetcher& fetcher) {
   const auto number = [&](Block::Number which) { return all(stretch.numbers[which]); };
   const Vector state = all_bits(__builtin_bit_cast(double, static_cast<std::int64_t>(stretch.state)));
   const std::size_t end = begin + stretch.words;
   for (std::size_t i = begin; i < end; i += lanes) {
-    expect(words + i);
-    const Pair tau = tau_of(block, stretch, i, end);
+    fetcher.fetch(lines_in_step);
+    const Pair tau = {load(&made.tau_hi[i]), load(&made.tau_lo[i])};
     Horner sum{};
     if (degree == 5) {
       sum.value = number(Block::c5);
@@ -139,23 +165,26 @@ LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stret
     is_good &= (tau.hi >= least_tau) & (s.hi >= least_s) & (s.hi < length);
     store(&made.s_hi[i], s.hi);
     store(&made.s_lo[i], s.lo);
-    store(&made.speed[i], sum.speed);
-    store(&made.state[i], state);
+    store(&made.columns[slot_of_path_length][i], block.length_before + (s.hi + s.lo));
+    store(&made.columns[slot_of_speed][i], sum.speed);
+    store(&made.columns[slot_of_feed][i], sum.speed * block.feed_rate);
+    store(&made.columns[slot_of_state][i], state);
   }
 }
 
 /// False if the bits of a word could differ.
-LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made, const base::Word* words) {
+LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made, Fetcher& fetcher) {
   Mask is_good = all(least_s) < all(length);
+  for (const std::size_t slot : {slot_of_path_length, slot_of_speed, slot_of_feed, slot_of_state}) made.vary(slot);
   std::size_t begin = 0;
   for (std::size_t k = 0; k < block.stretch_count; ++k) {
     const Block::Stretch& stretch = block.stretches[k];
     if (stretch.degree == 5) {
-      go_along(block, stretch, begin, length, 5, made, is_good, words);
+      go_along(block, stretch, begin, length, 5, made, is_good, fetcher);
     } else if (stretch.degree == 3) {
-      go_along(block, stretch, begin, length, 3, made, is_good, words);
+      go_along(block, stretch, begin, length, 3, made, is_good, fetcher);
     } else {
-      go_along(block, stretch, begin, length, 1, made, is_good, words);
+      go_along(block, stretch, begin, length, 1, made, is_good, fetcher);
     }
     begin += stretch.words;
   }
@@ -164,74 +193,95 @@ LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made, 
   return are_good;
 }
 
-/// The columns that all words have: but for the coordinates that move, and the state.
-LEADSCREW_LANEWISE void describe(const Block& block, const geometry::Point& start, Made& made, Slots& slots) {
-  base::Word common;
-  common.position = start;
-  common.line = block.line;
-  std::array<double, slot_count> numbers;
-  __builtin_memcpy(numbers.data(), &common, sizeof common);
-  for (std::size_t slot = 0; slot < slot_count; ++slot) slots.set(slot, numbers[slot]);
+LEADSCREW_LANEWISE void count_ticks(const Block& block, Made& made) {
+  double* const ticks = made.vary(slot_of_tick);
   Mask tick = base::count(block.tick) - Mask{};
   for (std::size_t lane = 0; lane < lanes; ++lane) tick[lane] += static_cast<std::int64_t>(lane);
   for (std::size_t i = 0; i < block.count; i += lanes) {
-    __builtin_memcpy(&made.tick[i], &tick, sizeof tick);
+    __builtin_memcpy(&ticks[i], &tick, sizeof tick);
     tick += static_cast<std::int64_t>(lanes) - Mask{};
-    store(&made.path_length[i], block.length_before + (load(&made.s_hi[i]) + load(&made.s_lo[i])));
-    store(&made.feed[i], load(&made.speed[i]) * block.feed_rate);
   }
-  slots.set(slot_of_tick, made.tick.data());
-  slots.set(slot_of_path_length, made.path_length.data());
-  slots.set(slot_of_speed, made.speed.data());
-  slots.set(slot_of_feed, made.feed.data());
-  slots.set(slot_of_state, made.state.data());
 }
 
-/// So many slots of as many words, from these on: columns become rows.
-LEADSCREW_LANEWISE void write_square(const Slots& slots, std::size_t slot, std::size_t word, double* to) {
-  const Vector first = load(slots.at(slot, word)), second = load(slots.at(slot + 1, word));
+/// As many slots as there are lanes, from this on, of as many words: columns become rows.
+LEADSCREW_LANEWISE void write_square(const Made& made, std::size_t slot, std::size_t word, double* to) {
+  const auto column = [&](std::size_t k) { return load(&made.columns[slot + k][word]); };
+  const Vector first = column(0), second = column(1);
 #if LEADSCREW_LANES == 4
-  const Vector third = load(slots.at(slot + 2, word)), fourth = load(slots.at(slot + 3, word));
+  const Vector third = column(2), fourth = column(3);
   const Vector even = __builtin_shufflevector(first, second, 0, 4, 2, 6);
   const Vector odd = __builtin_shufflevector(first, second, 1, 5, 3, 7);
   const Vector next_even = __builtin_shufflevector(third, fourth, 0, 4, 2, 6);
   const Vector next_odd = __builtin_shufflevector(third, fourth, 1, 5, 3, 7);
-  store(to + slot, __builtin_shufflevector(even, next_even, 0, 1, 4, 5));
-  store(to + slot_count + slot, __builtin_shufflevector(odd, next_odd, 0, 1, 4, 5));
-  store(to + 2 * slot_count + slot, __builtin_shufflevector(even, next_even, 2, 3, 6, 7));
-  store(to + 3 * slot_count + slot, __builtin_shufflevector(odd, next_odd, 2, 3, 6, 7));
+  store(to, __builtin_shufflevector(even, next_even, 0, 1, 4, 5));
+  store(to + slot_count, __builtin_shufflevector(odd, next_odd, 0, 1, 4, 5));
+  store(to + 2 * slot_count, __builtin_shufflevector(even, next_even, 2, 3, 6, 7));
+  store(to + 3 * slot_count, __builtin_shufflevector(odd, next_odd, 2, 3, 6, 7));
 #else
-  store(to + slot, __builtin_shufflevector(first, second, 0, 2));
-  store(to + slot_count + slot, __builtin_shufflevector(first, second, 1, 3));
+  store(to, __builtin_shufflevector(first, second, 0, 2));
+  store(to + slot_count, __builtin_shufflevector(first, second, 1, 3));
 #endif
 }
 
-/// As many words as there are lanes.
-LEADSCREW_LANEWISE void write_rows(const Slots& slots, std::size_t word, base::Word* words) {
-  double* const to = reinterpret_cast<double*>(words);
-  for (std::size_t slot = 0; slot + lanes <= slot_count; slot += lanes) write_square(slots, slot, word, to);
-  if (slot_count % lanes != 0) write_square(slots, slot_count - lanes, word, to);
+/// The slots of a word make so many squares; the last overlaps the one before.
+constexpr std::size_t square_count = (slot_count + lanes - 1) / lanes;
+constexpr std::size_t first_slot(std::size_t square) {
+  return std::min(square * lanes, slot_count - lanes);
 }
 
-LEADSCREW_LANEWISE void write(const Slots& slots, std::size_t count, base::Word* words) {
+/// Has the square a slot that varies? Then what its other slots have fills columns, too.
+using Varying = std::array<bool, square_count>;
+
+LEADSCREW_LANEWISE Varying fill(Made& made, std::size_t count) {
+  Varying varying{};
+  for (std::size_t square = 0; square < square_count; ++square) {
+    const std::size_t begin = first_slot(square), end = begin + lanes;
+    for (std::size_t slot = begin; slot < end; ++slot) varying[square] = varying[square] || made.varies[slot];
+    for (std::size_t slot = begin; varying[square] && slot < end; ++slot) {
+      if (made.varies[slot]) continue;
+      for (std::size_t i = 0; i < count; i += lanes) store(&made.columns[slot][i], all_bits(made.common[slot]));
+    }
+  }
+  return varying;
+}
+
+/// As many words as there are lanes.
+LEADSCREW_LANEWISE void write_rows(const Made& made, const Varying& varying, std::size_t word, base::Word* words) {
+#pragma GCC unroll 8
+  for (std::size_t square = 0; square < square_count; ++square) {
+    const std::size_t slot = first_slot(square);
+    double* const to = reinterpret_cast<double*>(words) + slot;
+    if (varying[square]) {
+      write_square(made, slot, word, to);
+    } else {
+      for (std::size_t lane = 0; lane < lanes; ++lane) store(to + lane * slot_count, load(&made.common[slot]));
+    }
+  }
+}
+
+LEADSCREW_LANEWISE void write(Made& made, std::size_t count, base::Word* words, Fetcher& fetcher) {
+  const Varying varying = fill(made, count);
   std::size_t i = 0;
-  for (; i + lanes <= count; i += lanes) write_rows(slots, i, words + i);
+  for (; i + lanes <= count; i += lanes) {
+    fetcher.fetch(lines_in_step);
+    write_rows(made, varying, i, words + i);
+  }
   if (i == count) return;
   std::array<base::Word, lanes> last;
-  write_rows(slots, i, last.data());
+  write_rows(made, varying, i, last.data());
   std::copy_n(last.begin(), count - i, words + i);
 }
 
 LEADSCREW_LANEWISE void go_straight(const geometry::Slopes& slopes, const geometry::Point& start, std::size_t count,
-                                    Made& made, Slots& slots) {
+                                    Made& made, Fetcher& fetcher) {
   for (const auto& slope : slopes.coordinates()) {
-    auto& moved = made.position[slope.coordinate];
+    double* const moved = made.vary(slot_of_position + slope.coordinate);
     for (std::size_t i = 0; i < count; i += lanes) {
+      fetcher.fetch(1);
       const Pair product = times(slope.rate, {load(&made.s_hi[i]), load(&made.s_lo[i])});
       const Pair sum = two_sum(all(start[slope.coordinate]), product.hi);
       store(&moved[i], sum.hi + (sum.lo + product.lo));
     }
-    slots.set(slot_of_position + slope.coordinate, moved.data());
   }
 }
 
@@ -241,11 +291,13 @@ LEADSCREW_LANEWISE Vector turned(Vector origin, Pair a, Pair b, Vector small) {
   return absolute.hi + (absolute.lo + (sum.lo + (a.lo + b.lo + small)));
 }
 
-LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Made& made, Slots& slots) {
+LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Made& made, Fetcher& fetcher) {
   const geometry::Arc::Turn turn = arc.turn();
-  auto &first = made.position[arc.first()], &second = made.position[arc.second()];
+  double* const first = made.vary(slot_of_position + arc.first());
+  double* const second = made.vary(slot_of_position + arc.second());
   const double x = turn.x.hi.value, y = turn.y.hi.value;
   for (std::size_t i = 0; i < count; i += lanes) {
+    fetcher.fetch(lines_in_step);
     const Vector s = load(&made.s_hi[i]);
     const Pair angle = times(turn.rate, {s, load(&made.s_lo[i])});
     const VectorSines sines = sines_of(reduce(angle.hi, angle.lo));
@@ -260,22 +312,23 @@ LEADSCREW_LANEWISE void go_round(const geometry::Arc& arc, std::size_t count, Ma
     store(&first[i], turned(origin_first, x_cosine, {-y_sine.hi, -y_sine.lo}, small_first + turn.defect_first * s));
     store(&second[i], turned(origin_second, x_sine, y_cosine, small_second + turn.defect_second * s));
   }
-  slots.set(slot_of_position + arc.first(), first.data());
-  slots.set(slot_of_position + arc.second(), second.data());
 }
 
-[[gnu::noinline]] bool make_words(const Block& block, base::Word* words) {
+[[gnu::noinline]] bool make_words(const Block& block, std::span<base::Word> words) {
   Made made;
-  Slots slots;
   const auto* const line = std::get_if<geometry::Line>(block.curve);
   const auto* const arc = std::get_if<geometry::Arc>(block.curve);
   if (arc && !(std::abs(arc->angle_rate()) * arc->length() < numeric::greatest_near_angle)) return false;
-  if (!go_along(block, line ? line->length() : arc->length(), made, words)) return false;
+  const std::span<const base::Word> next = words.subspan(block.count);
+  Fetcher fetcher(next.first(std::min(next.size(), words_in_block)));
+  make_tau(block, made, fetcher);
+  if (!go_along(block, line ? line->length() : arc->length(), made, fetcher)) return false;
+  count_ticks(block, made);
   const geometry::Point& start = line ? line->start() : arc->start();
-  describe(block, start, made, slots);
-  go_straight(line ? line->slopes() : arc->slopes(), start, block.count, made, slots);
-  if (arc) go_round(*arc, block.count, made, slots);
-  write(slots, block.count, words);
+  made.take_common(start, block.line);
+  go_straight(line ? line->slopes() : arc->slopes(), start, block.count, made, fetcher);
+  if (arc) go_round(*arc, block.count, made, fetcher);
+  write(made, block.count, words.data(), fetcher);
   return true;
 }
 

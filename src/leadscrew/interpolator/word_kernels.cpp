@@ -22,14 +22,6 @@ constexpr double least_tau = 0x1p-100, least_s = 0x1p-100, greatest_begin = 0x1p
 
 constexpr std::size_t most_lanes = 4;
 
-/// What one step of a kernel hands to the next, a row for each word; some of it stands for bits.
-struct Made {
-  // Segment by segment, whole vectors: behind the last word there is room for what fills one.
-  alignas(64) std::array<double, words_in_block + most_lanes> s_hi, s_lo, speed, state;
-  alignas(64) std::array<double, words_in_block> tick, path_length, feed;
-  alignas(64) std::array<std::array<double, words_in_block>, base::axis_count> position;
-};
-
 // A word as slots of eight bytes, in its order.
 constexpr std::size_t slot_count = sizeof(base::Word) / sizeof(double);
 static_assert(sizeof(base::Word) == slot_count * sizeof(double) && std::is_trivially_copyable_v<base::Word>);
@@ -40,25 +32,26 @@ constexpr std::size_t slot_of_tick = offsetof(base::Word, tick) / 8,
                       slot_of_state = offsetof(base::Word, state) / 8;
 static_assert(std::endian::native == std::endian::little && sizeof(base::MotionState) == 1);  // a state in its slot
 
-/// What stands in each slot: of word i the double at begin + (i & mask), which may stand for bits.
-class Slots {
- public:
-  void set(std::size_t slot, const double* column) {
-    begins_[slot] = column;
-    masks_[slot] = ~std::size_t{0};
-  }
-  /// The same in every word.
-  void set(std::size_t slot, double number) {
-    equal_[slot].fill(number);
-    begins_[slot] = equal_[slot].data();
-    masks_[slot] = 0;
-  }
-  const double* at(std::size_t slot, std::size_t word) const { return begins_[slot] + (word & masks_[slot]); }
+/// What one step of a kernel hands to the next, a column for each number of the words; some of it stands for bits.
+struct Made {
+  // Segment by segment, whole vectors: behind the last word there is room for what fills one.
+  using Column = std::array<double, words_in_block + most_lanes>;
+  alignas(64) Column tau_hi, tau_lo, s_hi, s_lo;
+  alignas(64) std::array<Column, slot_count> columns;  ///< of the slots that vary from word to word
+  std::array<bool, slot_count> varies{};
+  std::array<double, slot_count> common;  ///< of the others
 
- private:
-  std::array<const double*, slot_count> begins_;
-  std::array<std::size_t, slot_count> masks_;
-  alignas(64) std::array<std::array<double, most_lanes>, slot_count> equal_;
+  /// Says that the slot varies; its column.
+  double* vary(std::size_t slot) {
+    varies[slot] = true;
+    return columns[slot].data();
+  }
+  void take_common(const geometry::Point& start, base::Line line) {
+    base::Word word;
+    word.position = start;
+    word.line = line;
+    __builtin_memcpy(common.data(), &word, sizeof word);
+  }
 };
 
 /// How many coefficients of the segment count, as Interpolator::next() decides it.
@@ -69,7 +62,7 @@ int degree_of(const planner::Segment& segment) {
 
 bool is_moderate(double factor) {
   const double magnitude = std::abs(factor);
-  return magnitude == 0 || (least_coefficient <= magnitude && magnitude <= greatest_coefficient);
+  return (magnitude == 0) | ((least_coefficient <= magnitude) & (magnitude <= greatest_coefficient));
 }
 
 }  // namespace
@@ -89,10 +82,10 @@ namespace {
 #define LEADSCREW_FUSED
 
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2,fma,prfchw"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else
 #pragma GCC push_options
-#pragma GCC target("avx2,fma,prfchw")
+#pragma GCC target("avx2,fma")
 #endif
 namespace avx2 {
 namespace {
@@ -166,9 +159,9 @@ bool Block::is_in_range() const {
 }
 
 bool Block::add(const planner::Segment& segment, numeric::DoubleDouble begin, std::size_t words) {
-  const bool is_usual = is_moderate(segment.c5) && is_moderate(segment.c4) && is_moderate(segment.c3) &&
-                        is_moderate(segment.c2) && is_moderate(segment.v0.hi) && is_moderate(segment.s0.hi) &&
-                        std::abs(begin.hi) <= greatest_begin;
+  bool is_usual = std::abs(begin.hi) <= greatest_begin;
+  for (const double factor : {segment.s0.hi, segment.v0.hi, segment.c2, segment.c3, segment.c4, segment.c5})
+    is_usual &= is_moderate(factor);
   if (!is_usual) return false;
   stretches[stretch_count++] = {{-begin.hi, -begin.lo, segment.s0.hi, segment.s0.lo, segment.v0.hi, segment.v0.lo,
                                  segment.c2, segment.c3, segment.c4, segment.c5},
@@ -179,7 +172,7 @@ bool Block::add(const planner::Segment& segment, numeric::DoubleDouble begin, st
   return true;
 }
 
-bool make_words(Kernel kernel, const Block& block, base::Word* words) {
+bool make_words(Kernel kernel, const Block& block, std::span<base::Word> words) {
 #if defined(__x86_64__)
   if (kernel == Kernel::avx2) return avx2::make_words(block, words);
 #elif defined(__aarch64__)

@@ -25,6 +25,7 @@
 #include <leadscrew/base/word.hpp>
 #include <leadscrew/geometry/curve.hpp>
 #include <leadscrew/planner/motion.hpp>
+#include <span>
 
 namespace leadscrew::interpolator {
 
@@ -73,8 +74,9 @@ struct Block {
   bool add(const planner::Segment& segment, numeric::DoubleDouble begin, std::size_t words);
 };
 
-/// Makes the words of a block; false if one of them lies where its bits could differ: then `words` hold nothing of use.
-/// The kernel must be had, the curve in range, count ≥ 1.
-bool make_words(Kernel kernel, const Block& block, base::Word* words);
+/// Makes the words of a block, which stand first in `words`; false if one of them lies where its bits could differ: then
+/// they hold nothing of use. The memory of those behind is fetched meanwhile, as they are made next. The kernel must be had,
+/// the curve in range, count ≥ 1 and ≤ words.size().
+bool make_words(Kernel kernel, const Block& block, std::span<base::Word> words);
 
 }  // namespace leadscrew::interpolator
