@@ -75,7 +75,7 @@ class Interpolator {
 
   /// The words of this tick and of those that follow, as many as `words` holds and as lie before wants_chunk() says so;
   /// moves on behind them and returns how many: one where events are left in the part. Bit for bit what next() gives, at
-  /// a third of its price along lines and arcs.
+  /// a quarter of its price along lines and arcs.
   std::size_t next(std::span<base::Word> words);
   /// By which kernel next() makes many words: the widest that the processor has, unless told otherwise. It must be had.
   void use(Kernel kernel) { kernel_ = kernel; }
@@ -94,7 +94,7 @@ class Interpolator {
   /// When the loaded chunk's committed part ends, seconds since the first word's time.
   numeric::DoubleDouble end() const { return end_; }
   /// Right behind load(), or later along the same chunk: the next word is that of this time, not before the chunk begins nor
-  /// before the word before, as if it were the first. Its tick is left as it is.
+  /// before the word before, as if it were the first. Its tick is left as it is, and so many words in one call know nothing of it.
   void seek(numeric::DoubleDouble time) { now_ = time; }
   struct OnPath {
     const toolpath::Piece& piece;

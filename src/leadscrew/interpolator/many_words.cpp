@@ -36,15 +36,15 @@ std::size_t Interpolator::next(std::span<base::Word> words) {
   return made;
 }
 
-/// How many ticks from the next word's on, at most so many, lie before `end`, which that one does. Counted from the first
-/// word of all, so that it need not wait for where the segment before ends.
+/// How many ticks, from the next word's on and at most so many, lie before `end`; the next word must. What is computed with
+/// `end` does not depend on that word, so that the processor need not wait for it.
 std::size_t Interpolator::ticks_before(DoubleDouble end, std::size_t most) const {
   const double estimate = std::min(end.hi * ticks_per_second_, 0x1p62);
-  const double doubtful = 1e-15 * estimate;  // four roundings
+  const double doubtful = 1e-15 * estimate;  // three roundings
   const auto whole = static_cast<std::int64_t>(estimate);
   const double fraction = estimate - static_cast<double>(whole);
   const bool is_clear = doubtful < fraction && fraction < 1 - doubtful;
-  const std::int64_t greatest = whole - base::count(tick_) + (is_clear ? 1 : 2 + static_cast<std::int64_t>(doubtful));
+  const std::int64_t greatest = whole - base::count(tick_) + (is_clear ? 1 : 2);
   std::size_t count = greatest > 1 ? std::min(static_cast<std::size_t>(greatest), most) : 1;
   if (is_clear) return count;
   while (count > 1 && end <= time_of(after(tick_, count - 1), period_)) --count;

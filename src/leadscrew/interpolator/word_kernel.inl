@@ -76,7 +76,8 @@ LEADSCREW_LANEWISE Pair times(const geometry::Rate& rate, Pair s) {
 }
 
 /// Fetches the memory of the words that will be made next, a little in every step: few lines can be on their way at once,
-/// and where all are, the processor waits. More can be on their way to the second cache than to the first.
+/// and where all are, the processor waits. More can be on their way to the second cache than to the first. A line behind
+/// the words may be fetched, too.
 class Fetcher {
  public:
   LEADSCREW_LANEWISE explicit Fetcher(std::span<const base::Word> words)
@@ -93,13 +94,13 @@ class Fetcher {
   const char* end_;
 };
 
-/// In each of four steps, for as many words as there are lanes: a little more than they take.
+/// At least four steps for as many words as there are lanes fetch so many: about what these words take.
 constexpr std::size_t lines_in_step = lanes / 2;
 
-/// τ since each segment began, of all words; lanes behind the end of a segment have that of its last word, until the
-/// next segment's is written over it.
+/// τ since each segment began, of all words; lanes behind the end of a segment have that of its last word. In a step of its
+/// own, as is what follows from it: of fewer operations in a row, more vectors are computed at the same time.
 LEADSCREW_LANEWISE void make_tau(const Block& block, Made& made, Fetcher& fetcher) {
-  std::size_t begin = 0;
+  std::size_t begin = 0, row = 0;
   for (std::size_t k = 0; k < block.stretch_count; ++k) {
     const Block::Stretch& stretch = block.stretches[k];
     const Pair minus_begin = {all(stretch.numbers[Block::begin_hi]), all(stretch.numbers[Block::begin_lo])};
@@ -107,14 +108,14 @@ LEADSCREW_LANEWISE void make_tau(const Block& block, Made& made, Fetcher& fetche
     const Vector last = all(static_cast<double>(static_cast<int>(end - 1)));
     Vector number = all(static_cast<double>(static_cast<int>(begin)));
     for (std::size_t lane = 0; lane < lanes; ++lane) number[lane] += static_cast<double>(lane);
-    for (std::size_t i = begin; i < end; i += lanes, number += static_cast<double>(lanes)) {
+    for (std::size_t i = begin; i < end; i += lanes, row += lanes, number += static_cast<double>(lanes)) {
       fetcher.fetch(lines_in_step);
       const Vector nanoseconds = block.nanoseconds + block.period * (number < last ? number : last);
       const Pair product = two_product(all(nanosecond.hi), nanoseconds);
       const Pair now = quick_two_sum(product.hi, product.lo + nanosecond.lo * nanoseconds);
       const Pair tau = sum_of(now, minus_begin);
-      store(&made.tau_hi[i], tau.hi);
-      store(&made.tau_lo[i], tau.lo);
+      store(&made.tau_hi[row], tau.hi);
+      store(&made.tau_lo[row], tau.lo);
     }
     begin = end;
   }
@@ -132,17 +133,17 @@ LEADSCREW_LANEWISE void step(Horner& sum, Vector tau, Vector coefficient) {
   sum.value = value.hi;
 }
 
-/// s, path length, speed and feed of the words of a segment, of this degree, from `begin` to `end`; clears the lanes of
-/// `is_good` in which bits could differ. What lies behind the end, to fill a vector, is good for nothing: the next segment's
-/// is written over it.
-LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stretch, std::size_t begin, double length,
-                                 int degree, Made& made, Mask& is_good, Fetcher& fetcher) {
+/// s, path length, speed and feed of the words of a segment, of this degree, from `begin` to `end`, whose τ begin at `row`,
+/// which moves on behind them; clears the lanes of `is_good` in which bits could differ. What lies behind the end, to fill a
+/// vector, is good for nothing: the next segment's is written over it.
+LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stretch, std::size_t begin, std::size_t& row,
+                                 double length, int degree, Made& made, Mask& is_good, Fetcher& fetcher) {
   const auto number = [&](Block::Number which) { return all(stretch.numbers[which]); };
   const Vector state = all_bits(__builtin_bit_cast(double, static_cast<std::int64_t>(stretch.state)));
   const std::size_t end = begin + stretch.words;
-  for (std::size_t i = begin; i < end; i += lanes) {
+  for (std::size_t i = begin; i < end; i += lanes, row += lanes) {
     fetcher.fetch(lines_in_step);
-    const Pair tau = {load(&made.tau_hi[i]), load(&made.tau_lo[i])};
+    const Pair tau = {load(&made.tau_hi[row]), load(&made.tau_lo[row])};
     Horner sum{};
     if (degree == 5) {
       sum.value = number(Block::c5);
@@ -176,15 +177,15 @@ LEADSCREW_LANEWISE void go_along(const Block& block, const Block::Stretch& stret
 LEADSCREW_LANEWISE bool go_along(const Block& block, double length, Made& made, Fetcher& fetcher) {
   Mask is_good = all(least_s) < all(length);
   for (const std::size_t slot : {slot_of_path_length, slot_of_speed, slot_of_feed, slot_of_state}) made.vary(slot);
-  std::size_t begin = 0;
+  std::size_t begin = 0, row = 0;
   for (std::size_t k = 0; k < block.stretch_count; ++k) {
     const Block::Stretch& stretch = block.stretches[k];
     if (stretch.degree == 5) {
-      go_along(block, stretch, begin, length, 5, made, is_good, fetcher);
+      go_along(block, stretch, begin, row, length, 5, made, is_good, fetcher);
     } else if (stretch.degree == 3) {
-      go_along(block, stretch, begin, length, 3, made, is_good, fetcher);
+      go_along(block, stretch, begin, row, length, 3, made, is_good, fetcher);
     } else {
-      go_along(block, stretch, begin, length, 1, made, is_good, fetcher);
+      go_along(block, stretch, begin, row, length, 1, made, is_good, fetcher);
     }
     begin += stretch.words;
   }

@@ -34,9 +34,10 @@ static_assert(std::endian::native == std::endian::little && sizeof(base::MotionS
 
 /// What one step of a kernel hands to the next, a column for each number of the words; some of it stands for bits.
 struct Made {
+  alignas(64) std::array<double, words_in_block * most_lanes> tau_hi, tau_lo;  ///< each segment's are whole vectors
   // Segment by segment, whole vectors: behind the last word there is room for what fills one.
   using Column = std::array<double, words_in_block + most_lanes>;
-  alignas(64) Column tau_hi, tau_lo, s_hi, s_lo;
+  alignas(64) Column s_hi, s_lo;
   alignas(64) std::array<Column, slot_count> columns;  ///< of the slots that vary from word to word
   std::array<bool, slot_count> varies{};
   std::array<double, slot_count> common;  ///< of the others
@@ -60,6 +61,7 @@ int degree_of(const planner::Segment& segment) {
   return segment.c3 != 0 || segment.c2 != 0 ? 3 : 1;
 }
 
+/// Without branches, which would cost more.
 bool is_moderate(double factor) {
   const double magnitude = std::abs(factor);
   return (magnitude == 0) | ((least_coefficient <= magnitude) & (magnitude <= greatest_coefficient));
