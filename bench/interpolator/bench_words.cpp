@@ -2,7 +2,9 @@
 // one item is one call of the cycle.
 
 #include <benchmark/benchmark.h>
+#include <sys/mman.h>
 
+#include <cstdlib>
 #include <leadscrew/interpolator/controller.hpp>
 #include <leadscrew/toolpath/feed_length.hpp>
 #include <memory>
@@ -121,11 +123,41 @@ void words(benchmark::State& state, std::vector<toolpath::Element> (*make)()) {
   }
 }
 
-/// Many in one call, into one place of so many words: 512 stay in the processor's cache, a million go through memory.
-void many_words(benchmark::State& state, std::vector<toolpath::Element> (*make)(), std::size_t size,
+/// Where words go: 512 stay in the processor's cache, a million go through memory. With pages of 4 KiB the processor looks
+/// one up for every 34 words; huge ones are asked for as numpy does for its arrays.
+struct Place {
+  const char* name;
+  std::size_t size;
+  bool has_huge_pages;
+};
+constexpr Place places[] = {
+    {"cache", 512, false}, {"memory", 1'000'000, false}, {"memory-of-huge-pages", 1'000'000, true}};
+
+class Memory {
+ public:
+  explicit Memory(const Place& place) : size_(place.size) {
+    constexpr std::size_t huge_page = std::size_t{2} << 20;
+    const std::size_t bytes = (size_ * sizeof(base::Word) + huge_page - 1) / huge_page * huge_page;
+    memory_.reset(std::aligned_alloc(huge_page, bytes));
+    if (place.has_huge_pages) madvise(memory_.get(), bytes, MADV_HUGEPAGE);
+    std::uninitialized_default_construct_n(static_cast<base::Word*>(memory_.get()), size_);
+  }
+  std::span<base::Word> words() { return {static_cast<base::Word*>(memory_.get()), size_}; }
+
+ private:
+  struct Free {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+  std::size_t size_;
+  std::unique_ptr<void, Free> memory_;
+};
+
+/// Many in one call, into one place.
+void many_words(benchmark::State& state, std::vector<toolpath::Element> (*make)(), Place where,
                 interpolator::Kernel kernel) {
   const auto chunks = testing_support::plan(make(), machine::mill3());
-  std::vector<base::Word> place(size);
+  Memory memory(where);
+  const std::span<base::Word> place = memory.words();
   std::size_t used = 0;
   for (auto _ : state) {
     interpolator::Interpolator interpolator(base::Period{1'000'000}, {});
@@ -133,8 +165,8 @@ void many_words(benchmark::State& state, std::vector<toolpath::Element> (*make)(
     for (const auto& chunk : chunks) {
       interpolator.load(chunk);
       while (!interpolator.wants_chunk()) {
-        if (used == size) used = 0;
-        used += interpolator.next(std::span(place).subspan(used));
+        if (used == place.size()) used = 0;
+        used += interpolator.next(place.subspan(used));
         benchmark::ClobberMemory();
       }
     }
@@ -143,13 +175,13 @@ void many_words(benchmark::State& state, std::vector<toolpath::Element> (*make)(
 }
 
 /// What no way of making words can beat: equal words into the same place.
-void same_words(benchmark::State& state, std::size_t size) {
-  std::vector<base::Word> place(size);
+void same_words(benchmark::State& state, Place where) {
+  Memory memory(where);
   const base::Word word;
   for (auto _ : state) {
-    for (base::Word& to : place) to = word;
+    for (base::Word& to : memory.words()) to = word;
     benchmark::ClobberMemory();
-    state.SetItemsProcessed(state.items_processed() + static_cast<std::int64_t>(size));
+    state.SetItemsProcessed(state.items_processed() + static_cast<std::int64_t>(where.size));
   }
 }
 
@@ -189,7 +221,6 @@ auto* const along_curves = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/nurbs", words, curves)->Unit(benchmark::kMillisecond));
 auto* const along_curves_of_the_tip = leadscrew::bench::with_percentiles(
     benchmark::RegisterBenchmark("words/nurbs-of-the-tip", words, curves_of_the_tip)->Unit(benchmark::kMillisecond));
-constexpr std::size_t in_cache = 512, in_memory = 1'000'000;
 
 bool register_many() {
   const std::pair<const char*, std::vector<toolpath::Element> (*)()> paths[] = {
@@ -197,17 +228,16 @@ bool register_many() {
   const std::pair<const char*, interpolator::Kernel> kernels[] = {{"plain", interpolator::Kernel::plain},
                                                                   {"avx2", interpolator::Kernel::avx2},
                                                                   {"neon", interpolator::Kernel::neon}};
-  const std::pair<const char*, std::size_t> places[] = {{"cache", in_cache}, {"memory", in_memory}};
-  for (const auto& [place, size] : places) {
+  for (const Place& place : places) {
     leadscrew::bench::with_percentiles(
-        benchmark::RegisterBenchmark((std::string("many-words/equal/") + place).c_str(), same_words, size)
+        benchmark::RegisterBenchmark((std::string("many-words/equal/") + place.name).c_str(), same_words, place)
             ->Unit(benchmark::kMillisecond));
     for (const auto& [path, make] : paths) {
       for (const auto& [name, kernel] : kernels) {
         if (!interpolator::has(kernel)) continue;
-        const std::string title = std::string("many-words/") + path + "/" + name + "/" + place;
-        leadscrew::bench::with_percentiles(
-            benchmark::RegisterBenchmark(title.c_str(), many_words, make, size, kernel)->Unit(benchmark::kMillisecond));
+        const std::string title = std::string("many-words/") + path + "/" + name + "/" + place.name;
+        leadscrew::bench::with_percentiles(benchmark::RegisterBenchmark(title.c_str(), many_words, make, place, kernel)
+                                               ->Unit(benchmark::kMillisecond));
       }
     }
   }
