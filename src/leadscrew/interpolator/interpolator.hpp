@@ -94,7 +94,8 @@ class Interpolator {
   /// When the loaded chunk's committed part ends, seconds since the first word's time.
   numeric::DoubleDouble end() const { return end_; }
   /// Right behind load(), or later along the same chunk: the next word is that of this time, not before the chunk begins nor
-  /// before the word before, as if it were the first. Its tick is left as it is, and so many words in one call know nothing of it.
+  /// before the word before, as if it were the first. Its tick is left as it is; next(span) goes by ticks
+  /// and must not follow.
   void seek(numeric::DoubleDouble time) { now_ = time; }
   struct OnPath {
     const toolpath::Piece& piece;

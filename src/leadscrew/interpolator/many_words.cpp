@@ -36,8 +36,8 @@ std::size_t Interpolator::next(std::span<base::Word> words) {
   return made;
 }
 
-/// How many ticks, from the next word's on and at most so many, lie before `end`; the next word must. What is computed with
-/// `end` does not depend on that word, so that the processor need not wait for it.
+/// How many ticks, from the next word's on and at most `most`, lie before `end`, which must lie behind the next word. The
+/// floating-point part depends on `end` alone, so that the processor can begin it before the next word's tick is known.
 std::size_t Interpolator::ticks_before(DoubleDouble end, std::size_t most) const {
   const double estimate = std::min(end.hi * ticks_per_second_, 0x1p62);
   const double doubtful = 1e-15 * estimate;  // three roundings

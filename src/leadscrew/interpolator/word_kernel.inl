@@ -75,9 +75,9 @@ LEADSCREW_LANEWISE Pair times(const geometry::Rate& rate, Pair s) {
   return {product.hi, product.lo + (rate.hi.value * s.lo + rate.lo * s.hi)};
 }
 
-/// Fetches the memory of the words that will be made next, a little in every step: few lines can be on their way at once,
-/// and where all are, the processor waits. More can be on their way to the second cache than to the first. A line behind
-/// the words may be fetched, too.
+/// Prefetches the memory of the words that will be made next, a few cache lines in every step: a processor can have only so
+/// many outstanding at once, and stalls beyond that. Into the second-level cache, as it can have more on the way to that.
+/// One line behind the words may be prefetched, too.
 class Fetcher {
  public:
   LEADSCREW_LANEWISE explicit Fetcher(std::span<const base::Word> words)
@@ -94,11 +94,11 @@ class Fetcher {
   const char* end_;
 };
 
-/// At least four steps for as many words as there are lanes fetch so many: about what these words take.
+/// Cache lines prefetched in each step for as many words as there are lanes: about what these words take, after four steps.
 constexpr std::size_t lines_in_step = lanes / 2;
 
-/// τ since each segment began, of all words; lanes behind the end of a segment have that of its last word. In a step of its
-/// own, as is what follows from it: of fewer operations in a row, more vectors are computed at the same time.
+/// τ since each segment began, of all words; lanes behind the end of a segment have that of its last word. A loop of its
+/// own: its chain of dependent operations is shorter than with the polynomial behind it, so that more vectors overlap.
 LEADSCREW_LANEWISE void make_tau(const Block& block, Made& made, Fetcher& fetcher) {
   std::size_t begin = 0, row = 0;
   for (std::size_t k = 0; k < block.stretch_count; ++k) {
